@@ -1,0 +1,53 @@
+#pragma once
+// A descriptor made ready for matching: its parts read anti-clockwise or clockwise, weights multiplied in, the
+// inter-distance matrix of thesis 5.4 filled.
+
+#include <array>
+#include <vector>
+
+#include "core/parts/descriptor.hpp"
+#include "core/skeleton/shape_parameters.hpp"
+
+namespace core {
+
+/// (d_E, d_BE, d_A) from the end of one part to the start of a later one, each times its weight.
+struct InterDistance {
+    float d_e = 0.0F;   ///< straight distance / perimeter
+    float d_be = 0.0F;  ///< per cent of the bending energy between them
+    float d_a = 0.0F;   ///< angle between their directions, degrees in [0, 180]
+};
+
+/// One part in the order of the ring.
+struct RingPart {
+    int part = 0;   ///< index into ShapeDescriptor::parts
+    int first = 0;  ///< first terminal, counted in the ring's direction
+    int count = 1;
+    std::array<float, kFeatureCount> weighted{};
+    std::array<float, kSignatureSize> signature{};
+    float norm = 0.0F;  ///< eq. 5.3
+};
+
+struct PartRing {
+    int terminal_count = 0;
+    std::vector<RingPart> parts;           ///< as in the descriptor: terminals first
+    std::vector<float> terminal_norm;      ///< by terminal in the ring's direction
+    std::vector<int> stop_points;          ///< in the ring's direction
+    std::vector<InterDistance> inter;      ///< parts x parts, row: from
+    [[nodiscard]] const InterDistance& between(std::size_t from, std::size_t to) const {
+        return inter[from * parts.size() + to];
+    }
+};
+
+/// Both readings of one shape.
+struct MatchableShape {
+    PartRing forwards;   ///< anti-clockwise
+    PartRing backwards;  ///< clockwise: what the mirror image would read
+};
+
+/// Quadratic in the number of parts.
+[[nodiscard]] MatchableShape matchable(const ShapeDescriptor& shape, const ShapeParameters& parameters = {});
+
+/// Eq. 5.2: Euclidean distance of the weighted features plus squared distance of the signatures. >= 0, symmetric.
+[[nodiscard]] float node_distance(const RingPart& a, const RingPart& b);
+
+}  // namespace core

@@ -1,0 +1,39 @@
+#include "core/skeleton/skeleton.hpp"
+
+#include "core/geometry/polygon.hpp"
+#include "core/silhouette/contour.hpp"
+#include "core/skeleton/corners.hpp"
+#include "core/skeleton/junction_blocks.hpp"
+#include "core/skeleton/sampling.hpp"
+
+namespace core {
+
+Result<Skeleton> skeletonise(const Polygon& contour, const ShapeParameters& p) {
+    if (contour.size() < 3 || !(signed_area(contour) > 0.0)) {
+        return unexpected(ErrorCode::BadOutline, "the outline encloses no area");
+    }
+    Skeleton s;
+    s.contour = smooth_contour(contour, p.contour_points, p.contour_sigma);
+    s.cornerity = cornerity(s.contour, p.window);
+    s.corners = corners(s.cornerity, p.window, p.extent);
+    s.samples = without_crossings(sample_outline(s.contour, s.cornerity, s.corners, p.sample_size));
+    if (s.samples.size() < 3 || !(signed_area(s.samples) > 0.0)) {
+        return unexpected(ErrorCode::BadOutline, "the outline encloses no area once it is sampled");
+    }
+    s.arcs = ArcMeasures(s.samples);
+    s.axis = axis_of_least_inertia(s.samples);
+    Result<Triangulation> triangulation = triangulate(stretched_along(s.samples, s.axis, p.scale_coef));
+    if (!triangulation) return unexpected(triangulation.error());
+    s.triangulation = std::move(*triangulation);
+    s.profile = extended_profile(s.samples, s.triangulation);
+    s.csp_pieces = segment(s.triangulation, s.profile.cuts());
+    s.significant_pieces = without_insignificant_terminals(s.samples, s.arcs, s.triangulation, s.csp_pieces, p);
+    s.merged_pieces = with_trimmed_junctions(
+        s.samples, s.triangulation, with_merged_junctions(s.samples, s.triangulation, s.significant_pieces, p));
+    s.pieces = with_joined_sleeves(s.triangulation, s.merged_pieces);
+    s.graph = cat_graph(s.samples, s.triangulation, s.pieces);
+    s.skeletal_length = skeletal_length(cat_graph(s.samples, s.triangulation, s.merged_pieces));
+    return s;
+}
+
+}  // namespace core
