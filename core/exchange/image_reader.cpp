@@ -1,0 +1,112 @@
+#include "core/exchange/image_reader.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <string_view>
+
+#include "core/exchange/file_bytes.hpp"
+
+namespace {
+
+// The decoder may not take more than one picture of the largest size needs, whatever a file claims.
+constexpr std::size_t kMaxDecoderBlock = std::size_t{448} << 20;
+
+void* limited_allocate(std::size_t size) {
+    return size > kMaxDecoderBlock ? nullptr : std::malloc(size);
+}
+void* limited_reallocate(void* block, std::size_t size) {
+    return size > kMaxDecoderBlock ? nullptr : std::realloc(block, size);
+}
+
+}  // namespace
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_JPEG
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#define STBI_NO_HDR
+#define STBI_MALLOC(size) limited_allocate(size)
+#define STBI_REALLOC(block, size) limited_reallocate(block, size)
+#define STBI_FREE(block) std::free(block)
+#include <stb/stb_image.h>
+
+namespace core {
+namespace {
+
+bool starts_with(std::span<const std::byte> bytes, std::initializer_list<int> magic) {
+    if (bytes.size() < magic.size()) return false;
+    std::size_t i = 0;
+    for (const int value : magic) {
+        if (bytes[i++] != static_cast<std::byte>(value)) return false;
+    }
+    return true;
+}
+
+/// Luma of one pixel of grey, grey + alpha, RGB or RGBA, over white paper.
+std::uint8_t luma_over_white(const stbi_uc* pixel, int channels) {
+    const int luma = channels < 3 ? pixel[0] : (299 * pixel[0] + 587 * pixel[1] + 114 * pixel[2] + 500) / 1000;
+    if (channels % 2 == 1) return static_cast<std::uint8_t>(luma);
+    const int alpha = pixel[channels - 1];
+    return static_cast<std::uint8_t>((luma * alpha + 255 * (255 - alpha) + 127) / 255);
+}
+
+Unexpected damaged() {
+    return unexpected(ErrorCode::BadFormat,
+                      "the picture is damaged or of a kind that is not read; save it again as PNG");
+}
+
+Unexpected too_large() {
+    return unexpected(ErrorCode::BadFormat,
+                      "the picture has more than 48 million pixels or a side of more than 20000; reduce it");
+}
+
+}  // namespace
+
+bool looks_like_image(std::span<const std::byte> bytes) {
+    return starts_with(bytes, {0x89, 'P', 'N', 'G'}) || starts_with(bytes, {0xFF, 0xD8, 0xFF}) ||
+           starts_with(bytes, {'B', 'M'});
+}
+
+Result<GrayImage> decode_gray_image(std::span<const std::byte> bytes) {
+    if (!looks_like_image(bytes)) {
+        return unexpected(ErrorCode::UnknownFormat, "this is no PNG, BMP or JPEG picture; give one of these");
+    }
+    if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return damaged();
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
+        return std::string_view(stbi_failure_reason()) == "too large" ? too_large() : damaged();
+    }
+    if (width <= 0 || height <= 0) return damaged();
+    if (width > kMaxImageSide_px || height > kMaxImageSide_px ||
+        static_cast<long long>(width) * height > kMaxImagePixels) {
+        return too_large();
+    }
+
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(data, size, &width, &height, &channels, 0), stbi_image_free);
+    if (!pixels) return damaged();
+    GrayImage image(width, height);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        image.pixels[i] = luma_over_white(pixels.get() + i * static_cast<std::size_t>(channels), channels);
+    }
+    return image;
+}
+
+Result<GrayImage> read_gray_image(const std::string& path) {
+    const Result<std::string> bytes = read_file_bytes(path);
+    if (!bytes) return unexpected(bytes.error());
+    Result<GrayImage> image = decode_gray_image(std::as_bytes(std::span(*bytes)));
+    if (!image) return unexpected(image.error().code, image.error().message, path);
+    return image;
+}
+
+}  // namespace core
