@@ -53,29 +53,42 @@ class Matcher {
     [[nodiscard]] double asymmetry(const MatchableShape& shape);
 
   private:
-    /// The pair that the best match of a configuration continues with, for backtracking.
+    /// A pair of parts, and the best that can follow it.
     struct Entry {
-        float gain = 0.0F;  ///< cost of the best match from here on minus that of leaving all its terminals out
+        float gain = 0.0F;  ///< cost of the best match from here on, minus that of leaving all its terminals out
         int next = -1;      ///< entry that follows; -1 for none
         int x = 0, y = 0;   ///< parts
-        int x_end = 0, y_end = 0;      ///< positions after them
-        int x_start = 0, y_start = 0;
     };
+    /// The entries whose parts start at one position of A and one of B, and the least gain among them.
+    struct Cell {
+        int begin = 0, end = 0;
+        float least = 0.0F;
+    };
+    /// One way to cut both rings open, and the least its cost can be.
     struct Configuration {
-        float cost = 0.0F;
-        int start_a = -1, start_b = -1;
+        float bound = 0.0F;
+        int open_a = 0, open_b = 0;  ///< indices into PartRing::opened
         bool reversed = false;
     };
+    struct Best {
+        float cost = 0.0F;
+        Configuration configuration;
+    };
 
-    void fill_node_distances(const PartRing& a, const PartRing& b);
-    float solve(const PartRing& a, const PartRing& b, int start_a, int start_b);
-    Configuration best_direction(const PartRing& a, const PartRing& b, bool reversed, Configuration best);
-    Match explain(const PartRing& a, const PartRing& b, const Configuration& best);
+    void fill_node_distances(const PartRing& a, const PartRing& b, std::vector<float>& out) const;
+    float fill_heads(const PartRing& a, const PartRing& b, const Configuration& c);
+    float solve(const PartRing& a, const PartRing& b, const Configuration& c, float give_up_at);
+    void continue_best(Entry& entry, const PartRing& a, const PartRing& b, int from_a, int from_b) const;
+    void add_configurations(const PartRing& a, const PartRing& b, bool reversed);
+    Best best_of_configurations(const PartRing& a, const PartRing& forwards, const PartRing& backwards);
+    Match explain(const PartRing& a, const PartRing& b, const Best& best);
 
-    std::vector<float> node_distance_;  // parts of a x parts of b
+    std::vector<float> node_distance_, node_distance_reversed_;  // parts of a x parts of b
+    std::vector<Configuration> configurations_;
+    std::vector<float> head_bound_;     // (positions of a + 1) x (positions of b + 1): least gain of what may come before
     std::vector<Entry> entries_;
-    std::vector<int> order_a_, order_b_;
-    std::vector<float> left_a_, left_b_;
+    std::vector<Cell> cells_;           // (positions of a + 1) x (positions of b + 1)
+    std::vector<float> tail_;           // likewise: least gain of any entry that starts there or later in both
     int head_ = -1;
 };
 

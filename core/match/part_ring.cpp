@@ -40,6 +40,26 @@ double angle_deg(Point a, Point b) {
     return std::atan2(std::abs(cross(a, b)), dot(a, b)) * 180.0 / std::numbers::pi;
 }
 
+OpenedRing opened_at(const PartRing& ring, int start) {
+    const int n = ring.terminal_count;
+    OpenedRing open;
+    open.starts_at.push_back(0);
+    for (int i = 0; i < n; ++i) {
+        const int terminal = (start + i) % n;
+        for (std::size_t p = 0; p < ring.parts.size(); ++p) {
+            if (ring.parts[p].first != terminal || i + ring.parts[p].count > n) continue;
+            open.members.push_back({static_cast<int>(p), i + ring.parts[p].count});
+        }
+        open.starts_at.push_back(static_cast<int>(open.members.size()));
+    }
+    open.norms_from.assign(static_cast<std::size_t>(n) + 1, 0.0F);
+    for (int i = n - 1; i >= 0; --i) {
+        open.norms_from[static_cast<std::size_t>(i)] = open.norms_from[static_cast<std::size_t>(i) + 1] +
+                                                       ring.terminal_norm[static_cast<std::size_t>((start + i) % n)];
+    }
+    return open;
+}
+
 class RingBuilder {
   public:
     RingBuilder(const ShapeDescriptor& shape, const ShapeParameters& p)
@@ -61,6 +81,7 @@ class RingBuilder {
             for (int& t : ring.stop_points) t = shape_.terminal_count - 1 - t;
             std::sort(ring.stop_points.begin(), ring.stop_points.end());
         }
+        for (const int start : ring.stop_points) ring.opened.push_back(opened_at(ring, start));
         for (std::size_t i = 0; i < shape_.parts.size(); ++i) {
             for (std::size_t j = 0; j < shape_.parts.size(); ++j) ring.inter.push_back(inter(i, j, backwards));
         }

@@ -27,11 +27,23 @@ struct RingPart {
     float norm = 0.0F;  ///< eq. 5.3
 };
 
+/// The ring cut open before one stop point: positions count from 0 there, and parts that run over the cut are gone.
+struct OpenedRing {
+    struct Member {
+        int part = 0;  ///< index into PartRing::parts
+        int end = 0;   ///< position after its last terminal
+    };
+    std::vector<Member> members;     ///< by the position at which they start, ascending
+    std::vector<int> starts_at;      ///< members of position i: starts_at[i] … starts_at[i + 1]; terminal_count + 1 entries
+    std::vector<float> norms_from;   ///< sum of the norms of the terminals at position i and after; terminal_count + 1 entries
+};
+
 struct PartRing {
     int terminal_count = 0;
     std::vector<RingPart> parts;           ///< as in the descriptor: terminals first
     std::vector<float> terminal_norm;      ///< by terminal in the ring's direction
     std::vector<int> stop_points;          ///< in the ring's direction
+    std::vector<OpenedRing> opened;        ///< one per stop point
     std::vector<InterDistance> inter;      ///< parts x parts, row: from
     [[nodiscard]] const InterDistance& between(std::size_t from, std::size_t to) const {
         return inter[from * parts.size() + to];

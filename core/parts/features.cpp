@@ -82,7 +82,7 @@ Part measure_part(const Polygon& samples, const ArcMeasures& arcs, Arc arc, cons
     set(Feature::Solidity, hull_area > 0.0 ? (1.0 - area / hull_area) * raggedness : 0.0);
     set(Feature::BendingEnergy, arcs.bending(arc.from, arc.to));
     set(Feature::ChordLengthRatio, chord_length / arc_length);
-    fill_signature(part, chain, ring, arcs.perimeter() / p.sample_size);
+    fill_signature(part, chain, ring, arcs.perimeter() / p.signature_unit);
     return part;
 }
 

@@ -59,12 +59,13 @@ std::vector<Part> parts_of(const Skeleton& skeleton, const PartTree& tree, const
     };
     for (const int id : tree.bottom_up) {
         const auto node = static_cast<std::size_t>(id);
-        if (skeleton.graph.nodes[node].kind != PieceKind::Terminal && salient[node] <= p.wing_salient_limit) {
+        if (skeleton.graph.nodes[node].kind != PieceKind::Terminal) {
             Part wing = measure_part(skeleton.samples, skeleton.arcs, arc_of_node(skeleton, id, tree.parent_chord[node]), p);
             wing.salient = is_salient(skeleton.samples, skeleton.arcs, wing, p);
             wing.first_terminal = first_terminal_from(wing.start_sample);
             wing.terminal_count = grouped[node];
-            parts.push_back(wing);
+            if (wing.salient) salient[node] = std::max(salient[node], 1);
+            if (salient[node] <= p.wing_salient_limit) parts.push_back(wing);
         }
         const auto parent = static_cast<std::size_t>(tree.parent[node]);
         salient[parent] += salient[node];

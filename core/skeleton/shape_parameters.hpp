@@ -25,7 +25,7 @@ struct ShapeParameters {
     int n_pockets = 2;            ///< NPockets: pockets between a part and its hull that make it bent
     double size_bent_t = 7.0;     ///< SizeBentT: per cent of perimeter from which a part can be bent
     double convexity_t = 0.9;     ///< ConvexityT: hull perimeter / perimeter up to which a part is bent
-    int terminal_samples = 12;    ///< TerminalSamples: fixed by core::kSignatureSize
+    double signature_unit = 100.0;   ///< the signature is in units of perimeter / this (5.4 item 10; reading notes)
 
     // --- used by the thesis, not named in its tables ---
     double sharp_turn_deg = 0.0;  ///< a sample that turns clockwise by more than this exempts a terminal from insignificance
