@@ -9,7 +9,8 @@
 namespace core {
 namespace {
 
-constexpr int kRadii = 5;             // radii tried besides 0, evenly spaced up to the closing radius
+constexpr int kRadii = 9;             // radii tried besides 0: the closing radius and its fractions
+constexpr double kRadiusStep = 1.4;   // each of them is this much smaller than the one before
 constexpr double kFarOffShare = 0.7;  // an object smaller than this share of the raster is laid out again
 constexpr float kTouching = 1.5F;     // 8-neighbours
 
@@ -37,16 +38,40 @@ void fill_holes(cv::Mat& mask) {
     mask.setTo(1, enclosed_by(mask));
 }
 
+/// Removes from `cores` the connected regions that nowhere lie farther than `least_px` from ink.
+void keep_roomy(cv::Mat& cores, const cv::Mat& from_ink, double least_px) {
+    cv::Mat labels;
+    const int count = cv::connectedComponents(cores, labels, 4, CV_32S);
+    std::vector<float> room(static_cast<std::size_t>(count), 0.0F);
+    for (int y = 0; y < cores.rows; ++y) {
+        const int* label = labels.ptr<int>(y);
+        const float* apart = from_ink.ptr<float>(y);
+        for (int x = 0; x < cores.cols; ++x) {
+            float& most = room[static_cast<std::size_t>(label[x])];
+            most = std::max(most, apart[x]);
+        }
+    }
+    for (int y = 0; y < cores.rows; ++y) {
+        const int* label = labels.ptr<int>(y);
+        auto* core_row = cores.ptr<std::uint8_t>(y);
+        for (int x = 0; x < cores.cols; ++x) {
+            if (room[static_cast<std::size_t>(label[x])] < static_cast<float>(least_px)) core_row[x] = 0;
+        }
+    }
+}
+
 /// Ink and every region that it encloses up to gaps of 2 r, for a series of r up to `closing_px`.
-cv::Mat close_and_fill(const cv::Mat& ink, double closing_px) {
+cv::Mat close_and_fill(const cv::Mat& ink, double closing_px, double room) {
     const int border = static_cast<int>(std::ceil(closing_px)) + 2;  // so that the widest walls leave a way round
     cv::Mat result;
     cv::copyMakeBorder(ink, result, border, border, border, border, cv::BORDER_CONSTANT, cv::Scalar(0));
     const cv::Mat from_ink = distance_to(result);
     fill_holes(result);
-    for (int step = 1; step <= kRadii; ++step) {
-        const double r = closing_px * step / kRadii;
-        const cv::Mat cores = enclosed_by(from_ink <= r);
+    double r = closing_px * std::pow(kRadiusStep, -(kRadii - 1));
+    for (int step = 0; step < kRadii; ++step, r *= kRadiusStep) {
+        cv::Mat cores = enclosed_by(from_ink <= r);
+        if (cv::countNonZero(cores & (result == 0)) == 0) continue;
+        keep_roomy(cores, from_ink, r * (1.0 + (room - 1.0) * (0.4 + 0.6 * r / closing_px)));
         if (cv::countNonZero(cores) > 0) result.setTo(1, distance_to(cores) <= r);
     }
     fill_holes(result);
@@ -138,7 +163,7 @@ Silhouette close_ink(Ink ink, const Frame& frame, const SilhouetteOptions& optio
         object = join_pieces(filled, -kTouching, 0.0, 1);
     } else {
         const int stroke_px = std::max(1, static_cast<int>(std::lround(options.ink.stroke_share * diagonal_px)));
-        object = join_pieces(close_and_fill(mask, options.closing_share * diagonal_px),
+        object = join_pieces(close_and_fill(mask, options.closing_share * diagonal_px, options.room),
                              options.joining_share * diagonal_px, options.stray_share * diagonal_px, stroke_px);
     }
     Silhouette silhouette{BinaryImage(object.cols, object.rows), ink.raster};

@@ -21,9 +21,11 @@ namespace core {
 /// Shares are of the diagonal of the drawing's own rectangle.
 struct SilhouetteOptions {
     InkOptions ink;
-    double closing_share = 0.035;  ///< largest radius r: gaps up to twice this share are closed
-    double joining_share = 0.03;   ///< a separate piece this near to the object is joined to it by a stroke
-    double stray_share = 0.06;     ///< separate pieces with a smaller diagonal are stray marks and never joined
+    double closing_share = 0.07;  ///< largest radius r: gaps up to twice this share are closed
+    double room =
+        1.6;  ///< the region behind a gap of 2 r must hold a disc of radius room * r at the largest r, less below
+    double joining_share = 0.03;  ///< a separate piece this near to the object is joined to it by a stroke
+    double stray_share = 0.06;    ///< separate pieces with a smaller diagonal are stray marks and never joined
 };
 
 struct Silhouette {

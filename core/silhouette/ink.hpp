@@ -30,7 +30,7 @@ struct Frame {
 };
 
 struct InkOptions {
-    int raster_px = 384;          ///< larger side of the drawing on the raster, margin not counted
+    int raster_px = 320;          ///< larger side of the drawing on the raster, margin not counted
     int margin_px = 20;           ///< free pixels on every side
     double stroke_share = 0.012;  ///< width of a stroke as a share of the drawing's diagonal
     double faint_share = 0.35;    ///< a pixel of a picture is ink from this share of the darkest ink on
