@@ -5,7 +5,6 @@
 #include <initializer_list>
 #include <limits>
 #include <memory>
-#include <string_view>
 
 #include "core/exchange/file_bytes.hpp"
 
@@ -82,9 +81,7 @@ Result<GrayImage> decode_gray_image(std::span<const std::byte> bytes) {
     const int size = static_cast<int>(bytes.size());
 
     int width = 0, height = 0, channels = 0;
-    if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
-        return std::string_view(stbi_failure_reason()) == "too large" ? too_large() : damaged();
-    }
+    if (!stbi_info_from_memory(data, size, &width, &height, &channels)) return damaged();
     if (width <= 0 || height <= 0) return damaged();
     if (width > kMaxImageSide_px || height > kMaxImageSide_px ||
         static_cast<long long>(width) * height > kMaxImagePixels) {

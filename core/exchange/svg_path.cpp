@@ -139,8 +139,9 @@ class PathReader {
     }
 
     bool move() {
-        if (!pair(here_)) return false;
-        start_ = here_;
+        Point p;
+        if (!pair(p)) return false;
+        start_ = here_ = p;
         started_ = true;
         closed_ = false;
         subpaths_.push_back({here_});

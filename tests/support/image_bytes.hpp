@@ -50,8 +50,8 @@ inline std::string zlib_stored(std::string_view raw) {
     return out;
 }
 
-/// PNG colour types: 0 grey, 2 RGB, 3 palette, 4 grey + alpha, 6 RGBA. `rows` holds the packed rows one after the other,
-/// `before_data` further chunks (PLTE, tRNS).
+/// PNG colour types: 0 grey, 2 RGB, 3 palette, 4 grey + alpha, 6 RGBA. `rows` holds the packed rows one after the
+/// other, `before_data` further chunks (PLTE, tRNS).
 inline std::string make_png(int width, int height, int bits, int colour_type, std::string_view rows,
                             std::string_view before_data = {}) {
     std::string header;
