@@ -36,7 +36,7 @@ struct Silhouette {
 /// The silhouette of what is drawn. A picture that is a solid silhouette already only loses its holes and lesser
 /// objects. Where the object fills less than 0.7 of the raster, because stray marks lie far off, it is found again on
 /// its own. EmptyDrawing for an empty page, TooSmall for a dot; a single line gives a thin silhouette. y grows down.
-/// About 12 ms for the default raster on one core of 2020.
+/// About 15 ms for the default raster on one core.
 [[nodiscard]] Result<Silhouette> find_silhouette(const Drawing& drawing, const SilhouetteOptions& options);
 [[nodiscard]] Result<Silhouette> find_silhouette(const GrayImage& page, const SilhouetteOptions& options);
 
