@@ -1,0 +1,16 @@
+#pragma once
+// A camera as a blob of 50 bytes, exact.
+
+#include "core/base/result.hpp"
+#include "core/views/camera.hpp"
+#include "db/codec/bytes.hpp"
+
+namespace db {
+
+/// BadArgument unless direction and up are unit vectors at a right angle (to 1e-6).
+[[nodiscard]] core::Result<Blob> encode_camera(const core::Camera& camera);
+
+/// Damaged for bytes that encode_camera cannot have written.
+[[nodiscard]] core::Result<core::Camera> decode_camera(BlobView blob);
+
+}  // namespace db

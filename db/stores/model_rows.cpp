@@ -1,0 +1,270 @@
+#include "db/stores/model_rows.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "core/base/checksum.hpp"
+#include "db/codec/camera_codec.hpp"
+#include "db/codec/descriptor_codec.hpp"
+#include "db/codec/mesh_codec.hpp"
+#include "db/codec/points_codec.hpp"
+
+namespace db {
+
+namespace {
+
+constexpr const char* kNotAsWritten = "it is damaged (its checksum differs); build the model again";
+
+struct EncodedView {
+    Blob camera, outline, descriptor;
+};
+
+struct EncodedModel {
+    std::array<EncodedView, 2> views;
+    Blob mesh;
+};
+
+core::Result<EncodedView> encode_view(const ModelView& view) {
+    if (!std::isfinite(view.skeletal_length) || !std::isfinite(view.asymmetry) || view.camera_number < 0) {
+        return core::unexpected(core::ErrorCode::BadArgument, "a view's number, length or asymmetry is out of range");
+    }
+    core::Result<Blob> camera = encode_camera(view.camera);
+    if (!camera) return core::unexpected(camera.error());
+    core::Result<Blob> outline = encode_polygon(view.outline);
+    if (!outline) return core::unexpected(outline.error());
+    core::Result<Blob> descriptor = encode_descriptor(view.descriptor);
+    if (!descriptor) return core::unexpected(descriptor.error());
+    return EncodedView{std::move(*camera), std::move(*outline), std::move(*descriptor)};
+}
+
+core::Result<EncodedModel> encode_model(const ModelRecord& model) {
+    const auto refused = [&](core::Error error) {
+        error.where = model.source_path;
+        return core::unexpected(std::move(error));
+    };
+    if (model.source_path.empty()) {
+        return core::unexpected(core::ErrorCode::BadArgument, "the model has no source path", model.name);
+    }
+    EncodedModel encoded;
+    for (std::size_t i = 0; i < 2; ++i) {
+        core::Result<EncodedView> view = encode_view(model.views[i]);
+        if (!view) return refused(view.error());
+        encoded.views[i] = std::move(*view);
+    }
+    core::Result<Blob> mesh = encode_mesh(model.display_mesh);
+    if (!mesh) return refused(mesh.error());
+    encoded.mesh = std::move(*mesh);
+    return encoded;
+}
+
+std::uint64_t checksum_of_record(const ModelRecord& model) {
+    ByteWriter out;
+    out.text(model.source_path);
+    out.text(model.name);
+    out.text(model.class_name);
+    out.u64(model.content_hash);
+    out.u64(model.file_size);
+    return checksum_of(out.bytes());
+}
+
+std::uint64_t checksum_of_view(const ModelView& view) {
+    ByteWriter out;
+    out.varint(static_cast<std::uint64_t>(view.camera_number));
+    out.f64(view.skeletal_length + 0.0);  // SQLite does not keep the sign of zero
+    out.f64(view.asymmetry + 0.0);
+    return checksum_of(out.bytes());
+}
+
+void bind_with_checksum(Statement& statement, const Blob& blob) {
+    statement.bind(BlobView(blob)).bind(checksum_of(blob));
+}
+
+/// The blob in `column`, its checksum in the one after it.
+template <typename T>
+void read_blob(const Statement& row, int column, core::Result<T> (*decode)(BlobView), T& value, Damage damage,
+               std::vector<Damage>& damaged) {
+    const BlobView blob = row.blob(column);
+    if (checksum_of(blob) != static_cast<std::uint64_t>(row.integer(column + 1))) {
+        damage.message = kNotAsWritten;
+        damaged.push_back(std::move(damage));
+        return;
+    }
+    core::Result<T> decoded = decode(blob);
+    if (decoded) {
+        value = std::move(*decoded);
+        return;
+    }
+    damage.message = decoded.error().message;
+    damaged.push_back(std::move(damage));
+}
+
+}  // namespace
+
+std::uint64_t checksum_of(BlobView blob) {
+    return core::fnv1a64(blob);
+}
+
+std::uint64_t checksum_of(const std::string& text) {
+    return core::fnv1a64(std::as_bytes(std::span(text)));
+}
+
+ModelWriter::ModelWriter(const Database& database, std::array<Statement, 7> statements)
+    : database_(&database),
+      find_(std::move(statements[0])),
+      insert_(std::move(statements[1])),
+      update_(std::move(statements[2])),
+      insert_view_(std::move(statements[3])),
+      insert_mesh_(std::move(statements[4])),
+      delete_views_(std::move(statements[5])),
+      delete_mesh_(std::move(statements[6])) {}
+
+core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
+    core::Result<std::array<Statement, 7>> statements = prepare_all<7>(
+        database, {"SELECT id FROM model WHERE source_path = ?",
+                   "INSERT INTO model (source_path, name, class_name, content_hash, file_size, build_id, checksum) "
+                   "VALUES (?, ?, ?, ?, ?, ?, ?)",
+                   "UPDATE model SET source_path = ?, name = ?, class_name = ?, content_hash = ?, file_size = ?, "
+                   "build_id = ?, checksum = ? WHERE id = ?",
+                   "INSERT INTO view (model_id, number, camera_number, skeletal_length, asymmetry, checksum, camera, "
+                   "camera_checksum, outline, outline_checksum, descriptor, descriptor_checksum) "
+                   "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                   "INSERT INTO display_mesh (model_id, mesh, mesh_checksum) VALUES (?, ?, ?)",
+                   "DELETE FROM view WHERE model_id = ?", "DELETE FROM display_mesh WHERE model_id = ?"});
+    if (!statements) return core::unexpected(statements.error());
+    return ModelWriter(database, std::move(*statements));
+}
+
+namespace {
+
+Statement& bind_model(Statement& statement, const ModelRecord& model, std::int64_t build_id) {
+    return statement.bind(model.source_path)
+        .bind(model.name)
+        .bind(model.class_name)
+        .bind(model.content_hash)
+        .bind(model.file_size)
+        .bind(build_id)
+        .bind(checksum_of_record(model));
+}
+
+}  // namespace
+
+core::Result<void> ModelWriter::update(std::int64_t id, const ModelRecord& model, std::int64_t build_id) {
+    return bind_model(update_, model, build_id).bind(id).run();
+}
+
+core::Result<std::int64_t> ModelWriter::write_model_row(const ModelRecord& model, std::int64_t build_id) {
+    const core::Result<bool> there = find_.bind(model.source_path).step();
+    if (!there) return core::unexpected(there.error());
+    if (!*there) {
+        if (const core::Result<void> done = bind_model(insert_, model, build_id).run(); !done) {
+            return core::unexpected(done.error());
+        }
+        return database_->last_insert_id();
+    }
+    const std::int64_t id = find_.integer(0);
+    find_.reset();
+    core::Result<void> done = update(id, model, build_id);
+    if (done) done = delete_views_.bind(id).run();
+    if (done) done = delete_mesh_.bind(id).run();
+    if (!done) return core::unexpected(done.error());
+    return id;
+}
+
+core::Result<std::int64_t> ModelWriter::write(const ModelRecord& model, std::int64_t build_id) {
+    const core::Result<EncodedModel> encoded = encode_model(model);
+    if (!encoded) return core::unexpected(encoded.error());
+    const core::Result<std::int64_t> id = write_model_row(model, build_id);
+    if (!id) return id;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const ModelView& view = model.views[i];
+        insert_view_.bind(*id).bind(i).bind(view.camera_number).bind(view.skeletal_length).bind(view.asymmetry);
+        insert_view_.bind(checksum_of_view(view));
+        bind_with_checksum(insert_view_, encoded->views[i].camera);
+        bind_with_checksum(insert_view_, encoded->views[i].outline);
+        bind_with_checksum(insert_view_, encoded->views[i].descriptor);
+        if (const core::Result<void> done = insert_view_.run(); !done) return core::unexpected(done.error());
+    }
+    insert_mesh_.bind(*id);
+    bind_with_checksum(insert_mesh_, encoded->mesh);
+    if (const core::Result<void> done = insert_mesh_.run(); !done) return core::unexpected(done.error());
+    return id;
+}
+
+ModelReader::ModelReader(std::array<Statement, 3> statements)
+    : model_(std::move(statements[0])), view_(std::move(statements[1])), mesh_(std::move(statements[2])) {}
+
+core::Result<ModelReader> ModelReader::prepare(const Database& database) {
+    core::Result<std::array<Statement, 3>> statements = prepare_all<3>(
+        database, {"SELECT source_path, name, class_name, content_hash, file_size, build_id, checksum FROM model "
+                   "WHERE id = ?",
+                   "SELECT camera_number, skeletal_length, asymmetry, checksum, camera, camera_checksum, outline, "
+                   "outline_checksum, descriptor, descriptor_checksum FROM view WHERE model_id = ? AND number = ?",
+                   "SELECT mesh, mesh_checksum FROM display_mesh WHERE model_id = ?"});
+    if (!statements) return core::unexpected(statements.error());
+    return ModelReader(std::move(*statements));
+}
+
+std::optional<ModelRecord> ModelReader::read(std::int64_t id, std::vector<Damage>& damaged) {
+    ModelRecord model;
+    model.id = id;
+    const core::Result<bool> row = model_.bind(id).step();
+    if (!row) {
+        damaged.push_back({id, {}, "record", row.error().message});
+        return std::nullopt;
+    }
+    if (!*row) return std::nullopt;
+    model.source_path = model_.text(0);
+    model.name = model_.text(1);
+    model.class_name = model_.text(2);
+    model.content_hash = static_cast<std::uint64_t>(model_.integer(3));
+    model.file_size = static_cast<std::uint64_t>(model_.integer(4));
+    build_id_ = model_.integer(5);
+    const auto checksum = static_cast<std::uint64_t>(model_.integer(6));
+    model_.reset();
+    if (checksum != checksum_of_record(model)) damaged.push_back({id, model.name, "record", kNotAsWritten});
+    for (int number = 0; number < 2; ++number) read_view(number, model, damaged);
+    return model;
+}
+
+void ModelReader::read_view(int number, ModelRecord& model, std::vector<Damage>& damaged) {
+    const std::string label = "view " + std::to_string(number);
+    const auto damage = [&](const std::string& part, const std::string& message = {}) {
+        return Damage{model.id, model.name, part, message};
+    };
+    const core::Result<bool> row = view_.bind(model.id).bind(number).step();
+    if (!row || !*row) {
+        damaged.push_back(damage(label, row ? "it is missing; build the model again" : row.error().message));
+        return;
+    }
+    ModelView& view = model.views[static_cast<std::size_t>(number)];
+    const std::int64_t camera_number = view_.integer(0);
+    view.camera_number = static_cast<int>(camera_number);
+    view.skeletal_length = view_.real(1);
+    view.asymmetry = view_.real(2);
+    const bool sound = camera_number == view.camera_number && view.camera_number >= 0;
+    if (!sound || checksum_of_view(view) != static_cast<std::uint64_t>(view_.integer(3))) {
+        damaged.push_back(damage(label, kNotAsWritten));
+    }
+    read_blob(view_, 4, decode_camera, view.camera, damage("camera of " + label), damaged);
+    read_blob(view_, 6, decode_polygon, view.outline, damage("outline of " + label), damaged);
+    read_blob(view_, 8, decode_descriptor, view.descriptor, damage("descriptor of " + label), damaged);
+    view_.reset();
+}
+
+std::optional<core::TriangleMesh> ModelReader::read_mesh(std::int64_t id, const std::string& name,
+                                                         std::vector<Damage>& damaged) {
+    const core::Result<bool> row = mesh_.bind(id).step();
+    if (!row || !*row) {
+        damaged.push_back(
+            {id, name, "display mesh", row ? "it is missing; build the model again" : row.error().message});
+        return std::nullopt;
+    }
+    core::TriangleMesh mesh;
+    const std::size_t before = damaged.size();
+    read_blob(mesh_, 0, decode_mesh, mesh, {id, name, "display mesh", {}}, damaged);
+    mesh_.reset();
+    if (damaged.size() > before) return std::nullopt;
+    return mesh;
+}
+
+}  // namespace db
