@@ -80,12 +80,15 @@ core::Result<Database> Database::open(const fs::path& path, OpenMode mode, const
         return database;
     };
     core::Result<Database> database = open_as(fs::absolute(path).string(), flags_for(mode));
-    // In a read-only folder SQLite cannot make its shared memory file; nobody else can write there either.
-    const bool shut_out = !database && database.error().code == core::ErrorCode::FileUnreadable;
-    if (shut_out && mode == OpenMode::ReadOnly && is_complete_by_itself(path)) {
-        return open_as(immutable_uri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
-    }
-    return database;
+    // In a read-only folder SQLite cannot make the files that it keeps beside a database with a write-ahead log.
+    const bool shut_out = !database && (database.error().code == core::ErrorCode::FileUnreadable ||
+                                        database.error().code == core::ErrorCode::WriteFailed);
+    if (!shut_out || mode != OpenMode::ReadOnly) return database;
+    if (is_complete_by_itself(path)) return open_as(immutable_uri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    return core::unexpected(core::ErrorCode::WriteFailed,
+                            "the last program that wrote to it did not end in order, and its folder is read-only; open "
+                            "it once with the folder writable",
+                            path.string());
 }
 
 core::Result<void> Database::use_write_ahead_log() const {
