@@ -41,6 +41,16 @@ void ByteWriter::text(const std::string& value) {
     for (const char c : value) u8(static_cast<std::uint8_t>(c));
 }
 
+template <std::size_t Size>
+std::uint64_t ByteReader::little_endian() {
+    if (bytes_.size() - position_ < Size) fail("it is cut off");
+    if (failed()) return 0;
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < Size; ++i) value |= std::to_integer<std::uint64_t>(bytes_[position_ + i]) << (8 * i);
+    position_ += Size;
+    return value;
+}
+
 std::uint8_t ByteReader::header(BlobKind kind, std::uint8_t newest_version) {
     const std::uint8_t found = u8();
     const std::uint8_t version = u8();
@@ -49,28 +59,19 @@ std::uint8_t ByteReader::header(BlobKind kind, std::uint8_t newest_version) {
     return failed() ? 0 : version;
 }
 
-std::uint64_t ByteReader::little_endian(std::size_t size) {
-    if (bytes_.size() - position_ < size) fail("it is cut off");
-    if (failed()) return 0;
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < size; ++i) value |= std::to_integer<std::uint64_t>(bytes_[position_ + i]) << (8 * i);
-    position_ += size;
-    return value;
-}
-
 std::uint8_t ByteReader::u8() {
-    return static_cast<std::uint8_t>(little_endian(1));
+    return static_cast<std::uint8_t>(little_endian<1>());
 }
 
 float ByteReader::f32() {
-    const auto value = std::bit_cast<float>(static_cast<std::uint32_t>(little_endian(4)));
+    const auto value = std::bit_cast<float>(static_cast<std::uint32_t>(little_endian<4>()));
     if (std::isfinite(value)) return value;
     fail("a number in it is not finite");
     return 0.0F;
 }
 
 double ByteReader::f64() {
-    const auto value = std::bit_cast<double>(little_endian(8));
+    const auto value = std::bit_cast<double>(little_endian<8>());
     if (std::isfinite(value)) return value;
     fail("a number in it is not finite");
     return 0.0;

@@ -74,7 +74,8 @@ class ByteReader {
     [[nodiscard]] core::Result<void> finish();
 
   private:
-    [[nodiscard]] std::uint64_t little_endian(std::size_t size);
+    template <std::size_t Size>
+    [[nodiscard]] std::uint64_t little_endian();
     BlobView bytes_;
     std::size_t position_ = 0;
     const char* fault_ = nullptr;

@@ -14,6 +14,9 @@ namespace db {
 /// "CRQS": the application_id that marks a SQLite file as ours.
 inline constexpr std::uint32_t kApplicationId = 0x43525153;
 
+/// Bytes a page of a new database.
+inline constexpr int kPageSize = 16384;
+
 struct Migration {
     const char* name;  ///< "0001_two_view_index"
     const char* sql;
@@ -27,7 +30,7 @@ struct Migration {
 
 struct CollectionOptions {
     int busy_timeout_ms = 5000;  ///< how long to wait for another program's lock
-    std::int64_t max_pages = 0;  ///< largest size in pages of 4096 bytes; 0: as much as the disk holds
+    std::int64_t max_pages = 0;  ///< largest size in pages (kPageSize); 0: as much as the disk holds
 };
 
 /// Opens a database of ours and brings it to the newest version (all pending migrations in one transaction), unless it

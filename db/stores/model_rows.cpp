@@ -173,7 +173,7 @@ core::Result<std::int64_t> ModelWriter::write_model_row(const ModelRecord& model
 core::Result<std::int64_t> ModelWriter::write(const ModelRecord& model, std::int64_t build_id) {
     const core::Result<EncodedModel> encoded = encode_model(model);
     if (!encoded) return core::unexpected(encoded.error());
-    const core::Result<std::int64_t> id = write_model_row(model, build_id);
+    core::Result<std::int64_t> id = write_model_row(model, build_id);
     if (!id) return id;
     for (std::size_t i = 0; i < 2; ++i) {
         const ModelView& view = model.views[i];

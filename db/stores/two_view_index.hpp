@@ -94,7 +94,7 @@ struct IndexOptions {
     std::string parameters;  ///< of the description, in any spelling; a model described with another text is stale
     std::string program_version = {};  ///< empty: that of this program
     int busy_timeout_ms = 5000;        ///< how long to wait for another program's lock
-    std::int64_t max_pages = 0;        ///< largest size in pages of 4096 bytes; 0: as much as the disk holds
+    std::int64_t max_pages = 0;        ///< largest size in pages of 16 kB; 0: as much as the disk holds
 };
 
 class TwoViewIndex {

@@ -13,7 +13,7 @@ using fixture::TemporaryFolder;
 
 namespace {
 
-constexpr int kModels = 6;
+constexpr int kModels = 12;
 
 /// An index of a few models, closed.
 void make_index(const std::filesystem::path& path) {
@@ -100,7 +100,7 @@ TEST_CASE("changed parameters and rows of nobody are reported", "[check]") {
     alter(folder / "a.db", "UPDATE build SET parameters = 'x'");
     CHECK(sentences(fixture::value(index.check())) ==
           std::vector<std::string>{"the parameters of build 1 are damaged; build the index again"});
-    alter(folder / "a.db", "UPDATE build SET parameters = 'p'; DELETE FROM model WHERE id = 6");
+    alter(folder / "a.db", "UPDATE build SET parameters = 'p'; DELETE FROM model WHERE id = 12");
     const std::vector<Damage> orphans = fixture::value(index.check());
     CHECK(orphans.size() == 3);  // two views and a mesh
     for (const Damage& damage : orphans) CHECK(damage.sentence().find("belongs to nothing") != std::string::npos);
@@ -110,15 +110,15 @@ TEST_CASE("a damaged page is reported, whichever page it is", "[check]") {
     const TemporaryFolder folder;
     make_index(folder / "a.db");
     const fixture::Bytes good = fixture::read_bytes(folder / "a.db");
-    const std::size_t pages = good.size() / 4096;
+    const std::size_t pages = good.size() / db::kPageSize;
     REQUIRE(pages > 10);
     const int fill = GENERATE(0x00, 0xa5);
     for (std::size_t page = 0; page < pages; ++page) {
         fixture::Bytes bad = good;
         // The first page keeps its header, so that the file is still ours.
-        const std::size_t from = page == 0 ? 100 : page * 4096;
+        const std::size_t from = page == 0 ? 100 : page * db::kPageSize;
         std::fill(bad.begin() + static_cast<std::ptrdiff_t>(from),
-                  bad.begin() + static_cast<std::ptrdiff_t>((page + 1) * 4096), static_cast<char>(fill));
+                  bad.begin() + static_cast<std::ptrdiff_t>((page + 1) * db::kPageSize), static_cast<char>(fill));
         fixture::write_bytes(folder / "bad.db", bad);
         const core::Result<TwoViewIndex> index = TwoViewIndex::open(folder / "bad.db", OpenMode::ReadOnly);
         if (!index) {

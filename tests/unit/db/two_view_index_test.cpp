@@ -204,7 +204,7 @@ TEST_CASE("a full disk leaves the index as it was", "[index]") {
     const TemporaryFolder folder;
     { fixture::value(open(folder).add_all(random_models(0, 3))); }
     {
-        TwoViewIndex index = open(folder, OpenMode::ReadWrite, {.parameters = "p", .max_pages = 30});
+        TwoViewIndex index = open(folder, OpenMode::ReadWrite, {.parameters = "p", .max_pages = 20});
         const core::Result<std::vector<std::int64_t>> full = index.add_all(random_models(3, 60));
         CHECK(fixture::sentence(full).find("models.db: the disk is full; free some space and try again") !=
               std::string::npos);
