@@ -122,7 +122,7 @@ class TwoViewIndex {
 
     /// All models in the order of ids, without blobs.
     [[nodiscard]] core::Result<std::vector<ModelEntry>> list() const;
-    /// What a search needs, of one moment. About 5 kB a model; 1,000 models take some 10 ms.
+    /// What a search needs, of one moment. About 5 kB a model; 1,000 models take some 50 ms of one core.
     [[nodiscard]] core::Result<LoadedModels> load_views() const;
     /// One whole model, its mesh included. BadArgument if there is no such id.
     [[nodiscard]] core::Result<ModelRecord> load(std::int64_t id) const;
