@@ -1,0 +1,215 @@
+#include "core/exchange/mesh_reader.hpp"
+
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <exception>
+#include <fstream>
+#include <new>
+#include <utility>
+
+#include "core/exchange/mesh_file_check.hpp"
+#include "core/exchange/off_reader.hpp"
+#include "core/mesh/mesh_welder.hpp"
+
+namespace core {
+namespace {
+
+constexpr int kDeepestNode = 1000;
+constexpr std::size_t kHeadBytes = 1 << 20;
+
+Unexpected too_many_triangles() {
+    return unexpected(ErrorCode::BadMesh, "the model has more than " + std::to_string(kMostMeshTriangles) +
+                                              " triangles; simplify it first");
+}
+
+/// Lets assimp open ordinary files of bounded size only: a model may name a device or a pipe as its material.
+class PlainFiles : public Assimp::DefaultIOSystem {
+  public:
+    bool Exists(const char* file) const override {
+        return check_plain_file(file, kLargestMeshFileBytes).has_value() && DefaultIOSystem::Exists(file);
+    }
+    Assimp::IOStream* Open(const char* file, const char* mode) override {
+        const bool reads = mode != nullptr && mode[0] == 'r';
+        return reads && check_plain_file(file, kLargestMeshFileBytes) ? DefaultIOSystem::Open(file, mode) : nullptr;
+    }
+};
+
+/// A colour of assimp's as bytes; glTF gives linear light, everything else the bytes' own scale.
+Rgb to_rgb(const aiColor4D& colour, bool linear) {
+    const auto byte = [linear](float value) {
+        double v = std::isfinite(value) ? std::clamp(static_cast<double>(value), 0.0, 1.0) : 0.0;
+        if (linear) v = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
+        return static_cast<std::uint8_t>(std::lround(255.0 * v));
+    };
+    return {byte(colour.r), byte(colour.g), byte(colour.b)};
+}
+
+/// The scene that assimp made, put together node by node.
+class SceneReader {
+  public:
+    SceneReader(const aiScene& scene, bool linear_colours) : scene_(scene), linear_(linear_colours) {}
+
+    Result<TriangleMesh> read() {
+        if (scene_.mRootNode == nullptr) return no_faces();
+        if (Result<void> done = visit(*scene_.mRootNode, aiMatrix4x4{}, 0); !done) return unexpected(done.error());
+        if (welder_.triangle_count() == 0) return no_faces();
+        return std::move(welder_).finish();
+    }
+
+  private:
+    static Unexpected no_faces() {
+        return unexpected(ErrorCode::EmptyMesh, "the model has no usable faces; export it with its surface");
+    }
+
+    Result<void> visit(const aiNode& node, const aiMatrix4x4& above, int depth) {
+        if (depth > kDeepestNode) return unexpected(ErrorCode::BadMesh, "the model's nodes are nested too deeply");
+        const aiMatrix4x4 place = above * node.mTransformation;
+        for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+            if (node.mMeshes[i] >= scene_.mNumMeshes) continue;
+            if (Result<void> done = add(*scene_.mMeshes[node.mMeshes[i]], place); !done) return done;
+        }
+        for (unsigned i = 0; i < node.mNumChildren; ++i) {
+            if (Result<void> done = visit(*node.mChildren[i], place, depth + 1); !done) return done;
+        }
+        return {};
+    }
+
+    Result<void> add(const aiMesh& mesh, const aiMatrix4x4& place) {
+        offered_ += mesh.mNumFaces;
+        if (offered_ > kMostMeshTriangles) return too_many_triangles();
+        const Rgb material = material_colour(mesh.mMaterialIndex);
+        const auto corner = [&](unsigned i) {
+            const aiVector3D p = place * mesh.mVertices[i];
+            const bool coloured = mesh.HasVertexColors(0);
+            return MeshWelder::Corner{{p.x, p.y, p.z}, coloured ? to_rgb(mesh.mColors[0][i], linear_) : material};
+        };
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            const aiFace& face = mesh.mFaces[f];
+            if (face.mNumIndices != 3) continue;  // points and lines
+            welder_.add(corner(face.mIndices[0]), corner(face.mIndices[1]), corner(face.mIndices[2]));
+        }
+        return {};
+    }
+
+    [[nodiscard]] Rgb material_colour(unsigned index) const {
+        if (index >= scene_.mNumMaterials) return {};
+        const aiMaterial& material = *scene_.mMaterials[index];
+        aiString name;
+        aiColor4D colour;
+        material.Get(AI_MATKEY_NAME, name);
+        if (name == aiString(AI_DEFAULT_MATERIAL_NAME)) return {};  // assimp's own, the file names none
+        if (material.Get(AI_MATKEY_BASE_COLOR, colour) == AI_SUCCESS) return to_rgb(colour, linear_);
+        if (material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS) return to_rgb(colour, linear_);
+        return {};
+    }
+
+    const aiScene& scene_;
+    bool linear_;
+    std::size_t offered_ = 0;
+    MeshWelder welder_;
+};
+
+/// That no face points outside its mesh: assimp's later steps trust this.
+Result<void> check_indices(const aiScene& scene) {
+    std::size_t corners = 0;
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        const aiMesh& mesh = *scene.mMeshes[m];
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            const aiFace& face = mesh.mFaces[f];
+            corners += face.mNumIndices;
+            for (unsigned k = 0; k < face.mNumIndices; ++k) {
+                if (mesh.mVertices != nullptr && face.mIndices[k] < mesh.mNumVertices) continue;
+                return unexpected(ErrorCode::BadMesh,
+                                  "a face uses a vertex that the model does not have; export it again");
+            }
+        }
+    }
+    if (corners > 4 * kMostMeshTriangles) return too_many_triangles();
+    return {};
+}
+
+/// assimp's own words, as the end of one sentence of ours.
+Unexpected not_readable(std::string why) {
+    std::replace(why.begin(), why.end(), '\n', ' ');
+    constexpr std::size_t kLongest = 160;
+    if (why.size() > kLongest) why = why.substr(0, kLongest) + "…";
+    const std::string message = "the model cannot be read; export it again";
+    return unexpected(ErrorCode::BadFormat, why.empty() ? message : message + " (" + why + ")");
+}
+
+Result<TriangleMesh> read_with_assimp(const std::filesystem::path& path, const std::string& extension) {
+    try {
+        Assimp::Importer importer;
+        importer.SetIOHandler(new PlainFiles);  // the importer deletes it
+        importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+        if (!importer.IsExtensionSupported(extension)) {
+            return unexpected(ErrorCode::UnknownFormat,
+                              "this is no kind of model file that is read; export it as OBJ or glTF");
+        }
+        const aiScene* scene = importer.ReadFile(path.string(), 0);
+        if (scene == nullptr) return not_readable(importer.GetErrorString());
+        if (Result<void> sound = check_indices(*scene); !sound) return unexpected(sound.error());
+        scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
+        if (scene == nullptr) return not_readable(importer.GetErrorString());
+        return SceneReader(*scene, extension == "gltf" || extension == "glb").read();
+    } catch (const std::bad_alloc&) {
+        return unexpected(ErrorCode::BadMesh, "the model needs more memory than there is; simplify it first");
+    } catch (const std::exception& failure) {
+        return not_readable(failure.what());
+    }
+}
+
+Result<std::string> read_head(const std::filesystem::path& path) {
+    if (Result<void> plain = check_plain_file(path, kLargestMeshFileBytes); !plain) return unexpected(plain.error());
+    std::ifstream file(path, std::ios::binary);
+    std::string head(kHeadBytes, '\0');
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    if (file.gcount() <= 0) {
+        return unexpected(ErrorCode::FileUnreadable, "the file cannot be read; check its rights", path.string());
+    }
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    return head;
+}
+
+Result<TriangleMesh> read_checked(const std::filesystem::path& path) {
+    const std::string extension = lower_extension(path);
+    Result<std::string> head = read_head(path);
+    if (!head) return unexpected(head.error());
+    std::error_code fault;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, fault);
+    if (Result<void> fits = check_mesh_head(extension, *head, bytes, kMostMeshTriangles); !fits) {
+        return unexpected(fits.error());
+    }
+    if (extension != "off") return read_with_assimp(path, extension);
+    Result<std::string> text = read_plain_file(path, kLargestMeshFileBytes);
+    if (!text) return unexpected(text.error());
+    return read_off(*text);
+}
+
+}  // namespace
+
+const std::vector<std::string>& mesh_extensions() {
+    static const std::vector<std::string> extensions{"3ds",  "3mf", "ac",  "ase",  "b3d", "dae", "dxf", "fbx", "glb",
+                                                     "gltf", "lwo", "md2", "ms3d", "obj", "off", "ply", "stl", "x"};
+    return extensions;
+}
+
+bool has_mesh_extension(const std::filesystem::path& path) {
+    return std::binary_search(mesh_extensions().begin(), mesh_extensions().end(), lower_extension(path));
+}
+
+Result<TriangleMesh> read_mesh(const std::filesystem::path& path) {
+    Result<TriangleMesh> mesh = read_checked(path);
+    if (mesh) return mesh;
+    Error error = mesh.error();
+    error.where = path.string();
+    return unexpected(std::move(error));
+}
+
+}  // namespace core
