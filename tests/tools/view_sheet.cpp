@@ -7,8 +7,8 @@
 #include <png.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <numeric>
 #include <string>
@@ -65,8 +65,9 @@ int write_sheet(const fs::path& model, const std::string& sheet_path) {
     return write_png(sheet_path, sheet) ? 0 : 1;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+/// Of this process alone, whatever else the machine does.
+double processor_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 int measure(const fs::path& folder) {
@@ -78,15 +79,15 @@ int measure(const fs::path& folder) {
     std::vector<double> read_s, render_s;
     std::size_t triangles = 0;
     for (const fs::path& model : models) {
-        const auto start = std::chrono::steady_clock::now();
+        const double start = processor_seconds();
         const core::Result<core::TriangleMesh> mesh = read_normalised(model);
         if (!mesh) {
             std::printf("%s\n", mesh.error().sentence().c_str());
             continue;
         }
-        read_s.push_back(seconds_since(start));
+        read_s.push_back(processor_seconds() - start);
         triangles += mesh->triangles.size();
-        const auto begin = std::chrono::steady_clock::now();
+        const double begin = processor_seconds();
         for (const int c : core::representative_cameras()) {
             const core::BinaryImage view =
                 core::render_silhouette(*mesh, core::cameras()[static_cast<std::size_t>(c)], 256);
@@ -94,7 +95,7 @@ int measure(const fs::path& folder) {
                 std::printf("%s: nothing to be seen by camera %d\n", model.c_str(), c);
             }
         }
-        render_s.push_back(seconds_since(begin));
+        render_s.push_back(processor_seconds() - begin);
     }
     const auto report = [](const char* what, const std::vector<double>& s) {
         if (s.empty()) return;
