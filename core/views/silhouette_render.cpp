@@ -106,14 +106,24 @@ class Canvas {
     [[nodiscard]] BinaryImage image() const {
         BinaryImage bytes(size_, size_);
         for (int y = 0; y < size_; ++y) {
-            for (int x = 0; x < size_; ++x) {
-                bytes.at(x, y) = static_cast<std::uint8_t>((words_[word(x, y)] >> (x & 63)) & 1U);
+            for (int x = 0; x < size_; x += 64) {
+                std::uint8_t* pixel = &bytes.at(x, y);
+                // Empty and full words are the most.
+                const std::uint64_t bits = words_[word(x, y)];
+                const int count = std::min(64, size_ - x);
+                if (bits == ~0ULL)
+                    std::fill_n(pixel, count, std::uint8_t{1});
+                else if (bits != 0)
+                    unpack(bits, count, pixel);
             }
         }
         return bytes;
     }
 
   private:
+    static void unpack(std::uint64_t bits, int count, std::uint8_t* pixel) {
+        for (int k = 0; k < count; ++k) pixel[k] = static_cast<std::uint8_t>((bits >> k) & 1U);
+    }
     /// First and last pixel of an interval, anything outside the image as -1 or size. An interval that ends on the
     /// border between two pixels does not take the next one, so that mirrored input gives mirrored output.
     [[nodiscard]] std::pair<int, int> pixels(float low, float high) const {

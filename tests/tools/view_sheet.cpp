@@ -57,8 +57,9 @@ int write_sheet(const fs::path& model, const std::string& sheet_path) {
                     &sheet.pixels[(static_cast<std::size_t>(sheet_y) * static_cast<std::size_t>(sheet.width) +
                                    static_cast<std::size_t>(sheet_x)) *
                                   4];
-                pixel[0] = pixel[2] = frame ? 200 : 0;
-                pixel[1] = frame && core::representative_of(c) != c ? 200 : (frame ? 140 : 0);
+                const bool representative = core::representative_of(c) == c;
+                pixel[0] = pixel[2] = frame && !representative ? 200 : 0;
+                pixel[1] = frame ? 200 : 0;
             }
         }
     }
