@@ -8,11 +8,14 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <cstring>
 #include <exception>
 #include <fstream>
 #include <new>
+#include <string_view>
 #include <utility>
 
+#include "core/exchange/isolated.hpp"
 #include "core/exchange/mesh_file_check.hpp"
 #include "core/exchange/off_reader.hpp"
 #include "core/mesh/mesh_welder.hpp"
@@ -159,10 +162,63 @@ Result<TriangleMesh> read_with_assimp(const std::filesystem::path& path, const s
         if (scene == nullptr) return not_readable(importer.GetErrorString());
         return SceneReader(*scene, extension == "gltf" || extension == "glb").read();
     } catch (const std::bad_alloc&) {
-        return unexpected(ErrorCode::BadMesh, "the model needs more memory than there is; simplify it first");
+        throw;
     } catch (const std::exception& failure) {
         return not_readable(failure.what());
     }
+}
+
+template <typename T>
+void append(std::string& bytes, const std::vector<T>& values) {
+    const std::uint64_t count = values.size();
+    bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
+template <typename T>
+bool take(std::string_view& bytes, std::vector<T>& values) {
+    std::uint64_t count = 0;
+    if (bytes.size() < sizeof count) return false;
+    std::memcpy(&count, bytes.data(), sizeof count);
+    bytes.remove_prefix(sizeof count);
+    if (count > bytes.size() / sizeof(T)) return false;
+    values.resize(count);
+    if (count > 0) std::memcpy(values.data(), bytes.data(), count * sizeof(T));
+    bytes.remove_prefix(count * sizeof(T));
+    return true;
+}
+
+/// A mesh or an error as bytes, from the process that reads to the one that asked: the code (or -1), then the rest.
+std::string packed(const Result<TriangleMesh>& read) {
+    std::string bytes(1, read ? '\xff' : static_cast<char>(read.error().code));
+    if (!read) return bytes + read.error().message;
+    append(bytes, read->vertices);
+    append(bytes, read->triangles);
+    append(bytes, read->colours);
+    return bytes;
+}
+
+Result<TriangleMesh> unpacked(std::string_view bytes) {
+    const auto damaged = [] {
+        return unexpected(ErrorCode::Internal, "the reader of models gave no answer; try again");
+    };
+    if (bytes.empty()) return damaged();
+    const char code = bytes.front();
+    bytes.remove_prefix(1);
+    if (code != '\xff') return unexpected(static_cast<ErrorCode>(code), std::string(bytes));
+    TriangleMesh mesh;
+    if (!take(bytes, mesh.vertices) || !take(bytes, mesh.triangles) || !take(bytes, mesh.colours)) return damaged();
+    return mesh;
+}
+
+/// assimp in a process of its own: some damaged files send it astray for ever.
+Result<TriangleMesh> read_isolated(const std::filesystem::path& path, const std::string& extension,
+                                   std::uintmax_t file_bytes) {
+    IsolationLimits limits;
+    limits.processor_seconds = static_cast<unsigned>(2 + (file_bytes >> 18));
+    const Result<std::string> answer = run_isolated([&] { return packed(read_with_assimp(path, extension)); }, limits);
+    if (!answer) return unexpected(answer.error());
+    return unpacked(*answer);
 }
 
 Result<std::string> read_head(const std::filesystem::path& path) {
@@ -186,7 +242,7 @@ Result<TriangleMesh> read_checked(const std::filesystem::path& path) {
     if (Result<void> fits = check_mesh_head(extension, *head, bytes, kMostMeshTriangles); !fits) {
         return unexpected(fits.error());
     }
-    if (extension != "off") return read_with_assimp(path, extension);
+    if (extension != "off") return read_isolated(path, extension, bytes);
     Result<std::string> text = read_plain_file(path, kLargestMeshFileBytes);
     if (!text) return unexpected(text.error());
     return read_off(*text);

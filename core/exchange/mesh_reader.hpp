@@ -27,7 +27,8 @@ inline constexpr std::size_t kMostMeshTriangles = 20'000'000;
 /// The triangles of a model file: all its meshes, each placed as the file's nodes say, in the file's unit, with the
 /// colours of its vertices or else of its materials (textures are not looked at). Equal corners are one vertex. Faces
 /// that show nothing (a corner not finite, two corners in one place, fewer than three corners) are left out; vertices
-/// that no face uses too. OFF is read by our own reader (off_reader.hpp), the other formats by assimp.
+/// that no face uses too. OFF is read by our own reader (off_reader.hpp), the other formats by assimp
+/// in a process of its own (isolated.hpp), for there are damaged files on which it crashes or never ends.
 /// Every fault is an Error with the path in `where`: FileMissing, FileUnreadable (no rights, a folder or device, too
 /// large), UnknownFormat (extension, or an archive under another name), BadFormat (damaged, cut short, empty),
 /// BadMesh (corner number out of range, more triangles than kMostMeshTriangles), EmptyMesh (no faces).

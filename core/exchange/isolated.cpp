@@ -1,0 +1,95 @@
+#include "core/exchange/isolated.hpp"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <exception>
+#include <new>
+
+namespace core {
+namespace {
+
+constexpr int kDone = 0, kFailed = 10, kNoMemory = 11;
+
+void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
+    const rlimit bounds{most, most};
+    setrlimit(what, &bounds);
+}
+
+bool write_all(int pipe_end, const std::string& bytes) {
+    for (std::size_t at = 0; at < bytes.size();) {
+        const ssize_t written = write(pipe_end, bytes.data() + at, bytes.size() - at);
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        at += static_cast<std::size_t>(written);
+    }
+    return true;
+}
+
+[[noreturn]] void run_in_child(const std::function<std::string()>& work, const IsolationLimits& limits, int pipe_end) {
+    // A crash should end quietly, whatever handlers the program has set.
+    for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) std::signal(crash, SIG_DFL);
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_CPU, limits.processor_seconds);
+    limit(RLIMIT_DATA, limits.memory_bytes);
+    int status = kFailed;
+    try {
+        const std::string answer = work();
+        if (answer.size() <= limits.most_answer_bytes && write_all(pipe_end, answer)) status = kDone;
+    } catch (const std::bad_alloc&) {
+        status = kNoMemory;
+    } catch (...) {  // every other fault of a third-party reader is the same to us
+        status = kFailed;
+    }
+    _exit(status);
+}
+
+std::string read_all(int pipe_end) {
+    std::string bytes;
+    std::array<char, 65536> block{};
+    for (;;) {
+        const ssize_t got = read(pipe_end, block.data(), block.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return bytes;
+        bytes.append(block.data(), static_cast<std::size_t>(got));
+    }
+}
+
+}  // namespace
+
+Result<std::string> run_isolated(const std::function<std::string()>& work, const IsolationLimits& limits) {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+        return unexpected(ErrorCode::Internal, "the system has no pipe to spare; close other programs");
+    }
+    const pid_t child = fork();
+    if (child == 0) {
+        close(ends[0]);
+        run_in_child(work, limits, ends[1]);
+    }
+    close(ends[1]);
+    if (child < 0) {
+        close(ends[0]);
+        return unexpected(ErrorCode::Internal, "the system has no process to spare; close other programs");
+    }
+    std::string answer = read_all(ends[0]);
+    close(ends[0]);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == kDone) return answer;
+    if (WIFEXITED(status) && WEXITSTATUS(status) == kNoMemory) {
+        return unexpected(ErrorCode::BadMesh, "the model needs more memory than it may have; simplify it first");
+    }
+    if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)) {
+        return unexpected(ErrorCode::BadFormat, "the model cannot be read in reasonable time; export it again");
+    }
+    return unexpected(ErrorCode::BadFormat, "the model cannot be read, it is damaged; export it again");
+}
+
+}  // namespace core
