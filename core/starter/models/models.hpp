@@ -1,0 +1,22 @@
+#pragma once
+// The makers of the starter collection, by theme. Each appends its models, class by class.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/starter/starter_collection.hpp"
+
+namespace core::starter {
+
+using Models = std::vector<StarterModel>;
+
+inline void add_model(Models& models, std::string class_name, std::string name, TriangleMesh mesh) {
+    models.push_back({std::move(name), std::move(class_name), std::move(mesh)});
+}
+
+void add_aircraft(Models& models);
+void add_furniture(Models& models);
+void add_hoofed_animals(Models& models);
+
+}  // namespace core::starter

@@ -1,0 +1,15 @@
+#include "core/starter/starter_collection.hpp"
+
+#include "core/starter/models/models.hpp"
+
+namespace core {
+
+std::vector<StarterModel> starter_collection() {
+    std::vector<StarterModel> models;
+    starter::add_hoofed_animals(models);
+    starter::add_aircraft(models);
+    starter::add_furniture(models);
+    return models;
+}
+
+}  // namespace core
