@@ -9,6 +9,9 @@ std::vector<StarterModel> starter_collection() {
     starter::add_hoofed_animals(models);
     starter::add_aircraft(models);
     starter::add_furniture(models);
+    starter::add_tableware(models);
+    starter::add_instruments(models);
+    starter::add_road_vehicles(models);
     return models;
 }
 
