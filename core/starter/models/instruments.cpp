@@ -228,25 +228,26 @@ void add_drums(Models& models) {
     add_model(models, "drums", "Big drum kit", drum_kit(0.5, 3, 2, kNavy));
 }
 
-TriangleMesh grand_piano(Rgb colour) {
+TriangleMesh grand_piano(Rgb colour, double length) {
     Assembly a;
-    const std::vector<Point> plan = closed_spline({{-0.75, -0.45},
-                                                   {0.75, -0.45},
-                                                   {0.78, 0.2},
-                                                   {0.55, 0.6},
-                                                   {0.2, 0.75},
-                                                   {0.0, 1.15},
-                                                   {-0.4, 1.4},
-                                                   {-0.74, 1.2},
-                                                   {-0.78, 0.4}},
-                                                  5);
+    std::vector<Point> plan = closed_spline({{-0.75, -0.45},
+                                             {0.75, -0.45},
+                                             {0.78, 0.2},
+                                             {0.55, 0.6},
+                                             {0.2, 0.75},
+                                             {0.0, 1.15},
+                                             {-0.4, 1.4},
+                                             {-0.74, 1.2},
+                                             {-0.78, 0.4}},
+                                            5);
+    for (Point& p : plan) p.y *= length;
     a.add(moved(turned_x(slab(plan, 0.3, 0.03, colour), -90), {0, 0.75, 0}));
-    a.add(moved(turned_z(moved(turned_x(slab(plan, 0.04, 0.012, colour), -90), {0.78, 0, 0}), -38), {-0.78, 0.95, 0}));
+    a.add(moved(turned_z(moved(turned_x(slab(plan, 0.04, 0.012, colour), -90), {0.78, 0, 0}), 38), {-0.78, 0.93, 0}));
     a.add(box({0, 0.75, 0.58}, {1.4, 0.12, 0.3}, 0.02, colour))
         .add(box({0, 0.83, 0.58}, {1.3, 0.05, 0.24}, 0.01, kWhite));
     for (int k = 0; k < 14; ++k)
         if (k % 7 != 2 && k % 7 != 6) a.add(box({-0.58 + 0.09 * k, 0.865, 0.52}, {0.045, 0.04, 0.13}, 0.008, kInk));
-    for (const Vec3 foot : {Vec3{-0.65, 0, 0.4}, Vec3{0.65, 0, 0.4}, Vec3{-0.4, 0, -1.1}})
+    for (const Vec3 foot : {Vec3{-0.65, 0, 0.4}, Vec3{0.65, 0, 0.4}, Vec3{-0.4, 0, -1.1 * length}})
         a.add(cone(foot, foot + Vec3{0, 0.65, 0}, 0.04, 0.07, colour));
     return a.mesh();
 }
@@ -265,9 +266,9 @@ TriangleMesh upright_piano(Rgb colour, double height) {
 }
 
 void add_pianos(Models& models) {
-    add_model(models, "piano", "Grand piano", grand_piano(kInk));
+    add_model(models, "piano", "Grand piano", grand_piano(kInk, 1.0));
     add_model(models, "piano", "Upright piano", upright_piano(kWalnut, 1.25));
-    add_model(models, "piano", "White grand piano", grand_piano(kCream));
+    add_model(models, "piano", "White grand piano", grand_piano(kCream, 0.7));
     add_model(models, "piano", "Spinet", upright_piano(kHoney, 0.98));
 }
 
