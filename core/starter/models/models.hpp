@@ -19,6 +19,7 @@ void add_aircraft(Models& models);
 void add_furniture(Models& models);
 void add_hoofed_animals(Models& models);
 void add_instruments(Models& models);
+void add_pets_and_wild_animals(Models& models);
 void add_road_vehicles(Models& models);
 void add_tableware(Models& models);
 
