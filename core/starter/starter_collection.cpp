@@ -8,6 +8,9 @@ std::vector<StarterModel> starter_collection() {
     std::vector<StarterModel> models;
     starter::add_hoofed_animals(models);
     starter::add_pets_and_wild_animals(models);
+    starter::add_birds(models);
+    starter::add_sea_animals(models);
+    starter::add_insects(models);
     starter::add_aircraft(models);
     starter::add_furniture(models);
     starter::add_tableware(models);
