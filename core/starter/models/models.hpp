@@ -17,13 +17,16 @@ inline void add_model(Models& models, std::string class_name, std::string name, 
 
 void add_aircraft(Models& models);
 void add_birds(Models& models);
+void add_buildings(Models& models);
 void add_furniture(Models& models);
 void add_hoofed_animals(Models& models);
 void add_insects(Models& models);
 void add_instruments(Models& models);
 void add_pets_and_wild_animals(Models& models);
+void add_plants(Models& models);
 void add_road_vehicles(Models& models);
 void add_sea_animals(Models& models);
 void add_tableware(Models& models);
+void add_tools(Models& models);
 
 }  // namespace core::starter
