@@ -1,5 +1,6 @@
 #include "core/exchange/image_reader.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <initializer_list>
@@ -65,6 +66,29 @@ Unexpected too_large() {
                       "the picture has more than 48 million pixels or a side of more than 20000; reduce it");
 }
 
+/// Whether every Huffman table of a JPEG has at most 256 codes; the decoder writes past its own table where one has
+/// more. Walks from marker to marker as the decoder does, coded data included.
+bool huffman_tables_fit(std::span<const std::byte> bytes) {
+    const auto at = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };
+    for (std::size_t i = 2; i + 4 <= bytes.size();) {
+        const unsigned marker = at(i + 1);
+        const bool has_length = marker >= 0xC0 && marker < 0xFF && (marker < 0xD0 || marker > 0xD9);
+        if (at(i) != 0xFF || !has_length) {
+            ++i;
+            continue;
+        }
+        const std::size_t end = std::min(bytes.size(), i + 2 + at(i + 2) * 256 + at(i + 3));
+        for (std::size_t table = i + 4; marker == 0xC4 && table < end;) {
+            unsigned codes = 0;
+            for (std::size_t k = 1; k <= 16 && table + k < bytes.size(); ++k) codes += at(table + k);
+            if (codes > 256) return false;
+            table += 17 + codes;
+        }
+        i = std::max(end, i + 4);
+    }
+    return true;
+}
+
 }  // namespace
 
 bool looks_like_image(std::span<const std::byte> bytes) {
@@ -80,6 +104,7 @@ Result<GrayImage> decode_gray_image(std::span<const std::byte> bytes) {
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
 
+    if (starts_with(bytes, {0xFF, 0xD8}) && !huffman_tables_fit(bytes)) return damaged();
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(data, size, &width, &height, &channels)) return damaged();
     if (width <= 0 || height <= 0) return damaged();
