@@ -98,6 +98,13 @@ TEST_CASE("a picture that claims to be huge is refused before it is decoded", "[
     }
 }
 
+TEST_CASE("a JPEG whose code table is longer than any decoder's is refused", "[image_reader]") {
+    const std::string table = "\xFF\xD8\xFF\xC4\x01\x22"s + "\0"s + std::string(15, '\x11') + "\x12"s;
+    const auto image = decode(table + std::string(300, '\1'));
+    REQUIRE_FALSE(image);
+    CHECK(image.error().message == "the picture is damaged or of a kind that is not read; save it again as PNG");
+}
+
 TEST_CASE("errors of a file name it", "[image_reader]") {
     const support::TemporaryFolder folder;
     CHECK(core::read_gray_image(folder.path("none.png")).error().sentence() ==
