@@ -1,0 +1,26 @@
+#pragma once
+// A model's two views: fifty cameras, silhouettes, descriptors, and the choice among them (thesis 7.1).
+
+#include "core/base/result.hpp"
+#include "core/mesh/triangle_mesh.hpp"
+#include "core/parts/describe.hpp"
+#include "db/stores/two_view_index.hpp"
+
+namespace app {
+
+struct ViewParameters {
+    int silhouette_px = 256;               ///< side of the image in which a silhouette is drawn
+    int longest = 10;                      ///< N of 7.1.2
+    std::size_t display_triangles = 6000;  ///< at most, of the mesh kept for the screen
+    core::ShapeParameters shape;
+};
+
+/// All parameters as text: a model described with another text is stale.
+[[nodiscard]] std::string parameters_text(const ViewParameters& parameters);
+
+/// Fills in views and display mesh of the record; the other fields are the caller's. BadMesh or EmptyMesh when the model shows no
+/// silhouette from anywhere.
+[[nodiscard]] core::Result<void> describe_model(const core::TriangleMesh& mesh, const ViewParameters& parameters,
+                                                db::ModelRecord& record);
+
+}  // namespace app

@@ -1,0 +1,32 @@
+#pragma once
+// From a drawing or a picture to its silhouette and part descriptor, with the time each step took.
+
+#include "core/base/result.hpp"
+#include "core/exchange/sketch_reader.hpp"
+#include "core/parts/describe.hpp"
+#include "core/silhouette/closing.hpp"
+
+namespace app {
+
+struct SketchDescription {
+    core::DescribedShape shape;
+    core::DrawingRaster raster;  ///< the descriptor's points, y turned down again, are raster pixels of this
+    double silhouette_ms = 0.0;
+    double describe_ms = 0.0;
+
+    /// A point of the descriptor in the units of the drawing, y down.
+    [[nodiscard]] core::Point to_drawing(core::Point p) const { return raster.to_drawing({p.x, -p.y}); }
+};
+
+/// A solid silhouette is taken as it is; line art and strokes are closed and filled (thesis 7.2.2).
+/// EmptyDrawing, TooSmall or BadOutline when there is nothing to describe.
+[[nodiscard]] core::Result<SketchDescription> describe_sketch(const core::Sketch& sketch,
+                                                              const core::ShapeParameters& parameters = {});
+[[nodiscard]] core::Result<SketchDescription> describe_drawing(const core::Drawing& drawing,
+                                                               const core::ShapeParameters& parameters = {});
+
+/// Reads and describes a file; the path stands in the error's `where`.
+[[nodiscard]] core::Result<SketchDescription> describe_file(const std::string& path_spec,
+                                                            const core::ShapeParameters& parameters = {});
+
+}  // namespace app

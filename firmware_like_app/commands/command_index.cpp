@@ -1,0 +1,201 @@
+// croquis index build|list|show|remove|check|vacuum, croquis starter.
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "core/base/parallel.hpp"
+#include "core/starter/starter_collection.hpp"
+#include "firmware_like_app/collection/index_builder.hpp"
+#include "firmware_like_app/collection/stopwatch.hpp"
+#include "firmware_like_app/commands/commands.hpp"
+
+namespace app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct IndexOptions {
+    std::vector<std::string> paths;
+    std::string database, classes, files;
+    std::int64_t id = 0;
+    int jobs = core::core_count();
+    bool json = false;
+};
+
+std::stop_source& interruption() {
+    static std::stop_source source;
+    return source;
+}
+
+extern "C" void on_interrupt(int) { interruption().request_stop(); }
+
+void show_progress(const Stopwatch& watch, IndexBuildProgress p) {
+    const double s = watch.ms() / 1000.0;
+    const double rate = s > 0.0 ? static_cast<double>(p.done) / s : 0.0;
+    const double left = rate > 0.0 ? static_cast<double>(p.total - p.done) / rate : 0.0;
+    constexpr std::size_t kWidth = 30;
+    const std::size_t filled = kWidth * p.done / std::max<std::size_t>(p.total, 1);
+    std::fprintf(stderr, "\r[%s%s] %zu of %zu models, %.1f a second, %.0f s left ", std::string(filled, '#').c_str(),
+                 std::string(kWidth - filled, '.').c_str(), p.done, p.total, rate, left);
+    if (p.done == p.total) std::fprintf(stderr, "\n");
+}
+
+void print_build_report(const IndexBuildReport& report, bool as_json) {
+    for (const IndexBuildFailure& f : report.failed) {
+        std::fprintf(stderr, "croquis: %s: passed over: %s\n", f.file.c_str(), f.why.c_str());
+    }
+    if (as_json) {
+        ordered_json failed = ordered_json::array();
+        for (const IndexBuildFailure& f : report.failed) failed.push_back({{"file", f.file}, {"why", f.why}});
+        const ordered_json out{{"added", report.added}, {"skipped", report.skipped}, {"failed", failed}, {"ms", report.ms}};
+        std::printf("%s\n", out.dump().c_str());
+        return;
+    }
+    std::printf("%d added, %d unchanged, %zu not readable, %.1f s\n", report.added, report.skipped, report.failed.size(),
+                report.ms / 1000.0);
+}
+
+void run_build(const IndexOptions& options, CommandState& state) {
+    IndexBuildOptions build;
+    build.paths = options.paths;
+    build.database = options.database;
+    build.jobs = options.jobs;
+    if (!options.classes.empty()) {
+        const std::string folder = options.files.empty() ? options.paths.front() : options.files;
+        const core::Result<core::LabelledList> list = core::read_list_file(options.classes, folder);
+        if (!list) return fail(state, list.error());
+        build.classes = list->files;
+    }
+    interruption() = std::stop_source();
+    const auto before = std::signal(SIGINT, on_interrupt);
+    const Stopwatch watch;
+    std::function<void(IndexBuildProgress)> progress;
+    if (isatty(STDERR_FILENO) != 0) progress = [&watch](IndexBuildProgress p) { show_progress(watch, p); };
+    const core::Result<IndexBuildReport> report = build_index(build, interruption().get_token(), progress);
+    std::signal(SIGINT, before);
+    if (!report) return fail(state, report.error());
+    print_build_report(*report, options.json);
+    if (report->interrupted) {
+        std::fprintf(stderr, "croquis: interrupted; call it again to go on from here\n");
+        state.exit_code = 1;
+    }
+    if (report->added + report->skipped == 0) state.exit_code = 1;
+}
+
+core::Result<db::TwoViewIndex> open_index(const IndexOptions& options, db::OpenMode mode) {
+    return db::TwoViewIndex::open(options.database, mode, {.parameters = parameters_text({})});
+}
+
+void run_list(const IndexOptions& options, CommandState& state) {
+    const auto index = open_index(options, db::OpenMode::ReadOnly);
+    if (!index) return fail(state, index.error());
+    const auto entries = index->list();
+    if (!entries) return fail(state, entries.error());
+    ordered_json out = ordered_json::array();
+    for (const db::ModelEntry& e : *entries) {
+        if (options.json) {
+            out.push_back({{"id", e.id}, {"name", e.name}, {"class", e.class_name}, {"path", e.source_path}, {"stale", e.stale}});
+        } else {
+            std::printf("%lld\t%s\t%s\t%s%s\n", static_cast<long long>(e.id), e.name.c_str(), e.class_name.c_str(),
+                        e.source_path.c_str(), e.stale ? "\tstale" : "");
+        }
+    }
+    if (options.json) std::printf("%s\n", ordered_json{{"models", out}}.dump().c_str());
+    if (const auto stale = index->stale(); stale && *stale) std::fprintf(stderr, "croquis: %s\n", (*stale)->c_str());
+}
+
+void run_show(const IndexOptions& options, CommandState& state) {
+    const auto index = open_index(options, db::OpenMode::ReadOnly);
+    if (!index) return fail(state, index.error());
+    const auto model = index->load(options.id);
+    if (!model) return fail(state, model.error());
+    ordered_json views = ordered_json::array();
+    for (const db::ModelView& v : model->views) {
+        views.push_back({{"camera", v.camera_number}, {"direction", {v.camera.direction.x, v.camera.direction.y, v.camera.direction.z}},
+                         {"skeletal_length", v.skeletal_length}, {"asymmetry", v.asymmetry},
+                         {"terminals", v.descriptor.terminal_count}, {"parts", v.descriptor.parts.size()}});
+    }
+    const ordered_json out{{"id", model->id}, {"name", model->name}, {"class", model->class_name}, {"path", model->source_path},
+                           {"triangles", model->display_mesh.triangles.size()}, {"views", views}};
+    std::printf("%s\n", out.dump(options.json ? -1 : 2).c_str());
+}
+
+void run_remove(const IndexOptions& options, CommandState& state) {
+    auto index = open_index(options, db::OpenMode::ReadWrite);
+    if (!index) return fail(state, index.error());
+    const auto removed = index->remove(options.id);
+    if (!removed) return fail(state, removed.error());
+    if (options.json) std::printf("%s\n", ordered_json{{"removed", options.id}}.dump().c_str());
+}
+
+void run_check(const IndexOptions& options, CommandState& state) {
+    const auto index = open_index(options, db::OpenMode::ReadOnly);
+    if (!index) return fail(state, index.error());
+    const auto damaged = index->check();
+    if (!damaged) return fail(state, damaged.error());
+    const auto info = index->info();
+    ordered_json list = ordered_json::array();
+    for (const db::Damage& d : *damaged) {
+        list.push_back({{"id", d.model_id}, {"model", d.model}, {"part", d.part}, {"message", d.message}});
+        std::fprintf(stderr, "croquis: %s: %s\n", options.database.c_str(), d.sentence().c_str());
+    }
+    if (options.json) {
+        std::printf("%s\n", ordered_json{{"models", info ? info->models : 0}, {"damaged", list}}.dump().c_str());
+    } else if (damaged->empty()) {
+        std::printf("%lld models, all whole\n", static_cast<long long>(info ? info->models : 0));
+    }
+    if (!damaged->empty()) state.exit_code = 1;
+}
+
+void run_vacuum(const IndexOptions& options, CommandState& state) {
+    auto index = open_index(options, db::OpenMode::ReadWrite);
+    if (!index) return fail(state, index.error());
+    const auto done = index->vacuum();
+    if (!done) return fail(state, done.error());
+    const auto info = index->info();
+    if (options.json) std::printf("%s\n", ordered_json{{"bytes", info ? info->bytes : 0}}.dump().c_str());
+}
+
+}  // namespace
+
+void add_index_commands(CLI::App& cli, CommandState& state) {
+    CLI::App* index = cli.add_subcommand("index", "The collection's index");
+    index->require_subcommand(1);
+    auto options = std::make_shared<IndexOptions>();
+    const auto add = [&](const char* name, const char* what, void (*run)(const IndexOptions&, CommandState&)) {
+        CLI::App* command = index->add_subcommand(name, what);
+        command->add_option("--db", options->database, "the index, one SQLite file")->required();
+        command->add_flag("--json", options->json, "one JSON object on standard output");
+        command->callback([options, &state, run] { run(*options, state); });
+        return command;
+    };
+    CLI::App* build = add("build", "Add model files and folders; unchanged files are skipped", run_build);
+    build->add_option("PATH", options->paths, "model files, and folders to search")->required();
+    build->add_option("--classes", options->classes, "path<TAB>class list, or a Princeton .cla file");
+    build->add_option("--files", options->files, "folder of the files that a .cla numbers; default: the first PATH");
+    build->add_option("--jobs", options->jobs, "threads")->check(CLI::PositiveNumber);
+    add("list", "All models", run_list);
+    add("show", "One model", run_show)->add_option("ID", options->id)->required();
+    add("remove", "Take one model out", run_remove)->add_option("ID", options->id)->required();
+    add("check", "Verify every record", run_check);
+    add("vacuum", "Give the space of removed models back", run_vacuum);
+}
+
+void add_starter_command(CLI::App& cli, CommandState& state) {
+    auto folder = std::make_shared<std::string>();
+    CLI::App* command = cli.add_subcommand("starter", "Write the built-in starter collection as files");
+    command->add_option("--out", *folder, "folder, made if missing")->required();
+    command->callback([folder, &state] {
+        const core::Result<void> written = core::write_starter_collection(*folder);
+        if (!written) return fail(state, written.error());
+        std::fprintf(stderr, "croquis: the starter collection is in %s\n", folder->c_str());
+    });
+}
+
+}  // namespace app

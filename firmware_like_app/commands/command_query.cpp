@@ -1,0 +1,115 @@
+// croquis query: ranks the collection for one drawing.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "core/base/parallel.hpp"
+#include "firmware_like_app/collection/collection.hpp"
+#include "firmware_like_app/collection/sketch_description.hpp"
+#include "firmware_like_app/collection/stopwatch.hpp"
+#include "firmware_like_app/commands/commands.hpp"
+#include "ui/draw/shape_picture.hpp"
+
+namespace app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct QueryOptions {
+    std::string sketch, database, picture;
+    int top = 10;
+    int jobs = core::core_count();
+    bool json = false;
+};
+
+/// The nearest models with their correspondences.
+struct Answer {
+    std::vector<RankedModel> ranked;
+    std::vector<core::Match> matches;
+    double search_ms = 0.0;
+};
+
+Answer search(const core::ShapeDescriptor& query, const Collection& collection, const QueryOptions& options) {
+    const Stopwatch watch;
+    const core::MatchableShape shape = core::matchable(query);
+    Answer answer;
+    answer.ranked = collection.rank(shape, options.jobs);
+    answer.ranked.resize(std::min(answer.ranked.size(), static_cast<std::size_t>(options.top)));
+    core::Matcher matcher;
+    for (const RankedModel& r : answer.ranked) {
+        answer.matches.push_back(matcher.match(shape, collection.models()[r.model].views[static_cast<std::size_t>(r.view)]));
+    }
+    answer.search_ms = watch.ms();
+    return answer;
+}
+
+void print_json(const Answer& answer, const Collection& collection, const SketchDescription& query) {
+    ordered_json results = ordered_json::array();
+    for (std::size_t k = 0; k < answer.ranked.size(); ++k) {
+        const RankedModel& r = answer.ranked[k];
+        const db::ModelRecord& model = collection.models()[r.model].record;
+        ordered_json parts = ordered_json::array();
+        for (const core::MatchedPair& p : answer.matches[k].pairs) {
+            parts.push_back({{"query", p.part_a}, {"model", p.part_b}, {"cost", p.cost()}});
+        }
+        results.push_back({{"rank", k + 1}, {"model", model.name}, {"class", model.class_name}, {"distance", r.distance},
+                           {"view", r.view}, {"id", model.id}, {"mirrored", answer.matches[k].reversed}, {"parts", parts}});
+    }
+    const ordered_json out{{"results", results},
+                           {"ms", {{"silhouette", query.silhouette_ms}, {"describe", query.describe_ms}, {"search", answer.search_ms}}}};
+    std::printf("%s\n", out.dump().c_str());
+}
+
+core::Result<void> draw(const Answer& answer, const Collection& collection, const core::ShapeDescriptor& query,
+                        const std::string& path) {
+    std::vector<ui::MatchPictureItem> items;
+    for (std::size_t k = 0; k < answer.ranked.size(); ++k) {
+        const RankedModel& r = answer.ranked[k];
+        const db::ModelRecord& model = collection.models()[r.model].record;
+        items.push_back({&query, &model.views[static_cast<std::size_t>(r.view)].descriptor, &answer.matches[k],
+                         std::to_string(k + 1) + ".", model.name + (model.class_name.empty() ? "" : " (" + model.class_name + ")")});
+    }
+    return ui::write_match_picture(items, path);
+}
+
+void run_query(const QueryOptions& options, CommandState& state) {
+    const core::Result<Collection> collection = Collection::load(options.database);
+    if (!collection) return fail(state, collection.error());
+    for (const db::Damage& d : collection->damaged()) std::fprintf(stderr, "croquis: %s\n", d.sentence().c_str());
+    if (collection->models().empty()) {
+        return fail(state, {core::ErrorCode::FileMissing, "the index has no models; add some with croquis index build", options.database});
+    }
+    const core::Result<SketchDescription> query = describe_file(options.sketch);
+    if (!query) return fail(state, query.error());
+    const Answer answer = search(query->shape.descriptor, *collection, options);
+    if (!options.picture.empty()) {
+        const auto written = draw(answer, *collection, query->shape.descriptor, options.picture);
+        if (!written) return fail(state, written.error());
+    }
+    if (options.json) return print_json(answer, *collection, *query);
+    for (std::size_t k = 0; k < answer.ranked.size(); ++k) {
+        const db::ModelRecord& model = collection->models()[answer.ranked[k].model].record;
+        std::printf("%3zu  %-28s %-16s %8.2f\n", k + 1, model.name.c_str(), model.class_name.c_str(), answer.ranked[k].distance);
+    }
+    std::printf("silhouette %.1f ms, description %.1f ms, search %.1f ms\n", query->silhouette_ms, query->describe_ms,
+                answer.search_ms);
+}
+
+}  // namespace
+
+void add_query_command(CLI::App& cli, CommandState& state) {
+    auto options = std::make_shared<QueryOptions>();
+    CLI::App* command = cli.add_subcommand("query", "Rank the collection for one drawing");
+    command->add_option("SKETCH", options->sketch, "picture, SVG, InkML, Quick-Draw line or stroke list")->required();
+    command->add_option("--db", options->database, "the index")->required();
+    command->add_option("--top", options->top, "results to give")->check(CLI::PositiveNumber);
+    command->add_option("--jobs", options->jobs, "threads")->check(CLI::PositiveNumber);
+    command->add_flag("--json", options->json, "one JSON object on standard output");
+    command->add_option("--picture", options->picture, "write a PNG with the results' matched parts");
+    command->callback([options, &state] { run_query(*options, state); });
+}
+
+}  // namespace app

@@ -1,0 +1,30 @@
+#pragma once
+// The subcommands of croquis. Each adds itself to the command line and sets the exit code when it runs:
+// 0 success, 1 the input or the data is at fault, 2 a wrong call.
+
+#include <string>
+
+#include "core/base/error.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+struct CommandState {
+    int exit_code = 0;
+};
+
+void add_describe_command(CLI::App& cli, CommandState& state);
+void add_match_command(CLI::App& cli, CommandState& state);
+void add_eval_commands(CLI::App& cli, CommandState& state);
+void add_index_commands(CLI::App& cli, CommandState& state);
+void add_query_command(CLI::App& cli, CommandState& state);
+void add_starter_command(CLI::App& cli, CommandState& state);
+void add_kiosk_command(CLI::App& cli, CommandState& state);
+
+/// One sentence on standard error, exit code 1.
+void fail(CommandState& state, const core::Error& error);
+
+}  // namespace app
