@@ -1,0 +1,392 @@
+#include "firmware_like_app/kiosk/find_mode.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/draw/coverage.hpp"
+
+namespace app {
+namespace {
+
+constexpr ui::PictureId kInkPicture{1};
+constexpr int kFirstWash = 10;
+constexpr std::int64_t kWashRest_us = 700'000, kWashIn_us = 240'000, kWashStagger_us = 30'000, kWashOut_us = 80'000;
+constexpr std::int64_t kClearedOffer_us = 8'000'000;
+constexpr double kReplayMargin = 0.12;  // of the sheet's smaller side
+constexpr double kEraserReach_px = 12;  // of the design: half the ring
+
+ui::PictureId wash_id(std::size_t part) { return ui::PictureId{kFirstWash + static_cast<int>(part)}; }
+
+/// Largest placement of the drawing on a sheet of that size that keeps the margin, centred.
+ui::InkFrame fit_drawing(const core::Drawing& drawing, double width, double height) {
+    double left = 0, right = 0, top = 0, bottom = 0;
+    bool first = true;
+    for (const core::Stroke& stroke : drawing.strokes) {
+        for (const core::PenSample& s : stroke.samples) {
+            left = first ? s.x : std::min(left, s.x);
+            right = first ? s.x : std::max(right, s.x);
+            top = first ? s.y : std::min(top, s.y);
+            bottom = first ? s.y : std::max(bottom, s.y);
+            first = false;
+        }
+    }
+    const double margin = kReplayMargin * std::min(width, height);
+    const double across = std::max(right - left, 1e-9), down = std::max(bottom - top, 1e-9);
+    ui::InkFrame frame;
+    frame.scale = std::min((width - 2 * margin) / across, (height - 2 * margin) / down);
+    if (right - left < 1e-9 && bottom - top < 1e-9) frame.scale = 1;  // a dot
+    frame.offset_x = width / 2 - (left + right) / 2 * frame.scale;
+    frame.offset_y = height / 2 - (top + bottom) / 2 * frame.scale;
+    return frame;
+}
+
+ui::SizePx sheet_size(const ui::FindLayout& layout) {
+    return {std::max(1, static_cast<int>(layout.sheet.width)), std::max(1, static_cast<int>(layout.sheet.height))};
+}
+
+}  // namespace
+
+core::Result<std::unique_ptr<FindMode>> FindMode::create(const ui::FontSet& fonts,
+                                                         const std::vector<ui::Strings>& languages, Searcher* searcher,
+                                                         const FindOptions& options, ui::SizePx screen) {
+    core::Result<ui::Painter> painter = ui::Painter::create(fonts);
+    if (!painter) return core::unexpected(painter.error());
+    core::Result<ui::InkLayer> ink = ui::InkLayer::create({1, 1});
+    if (!ink) return core::unexpected(ink.error());
+    core::Result<CardPictures> pictures = CardPictures::create();
+    if (!pictures) return core::unexpected(pictures.error());
+    return std::unique_ptr<FindMode>(new FindMode(fonts, languages, searcher, options, screen, std::move(*painter),
+                                                  std::move(*ink), std::move(*pictures)));
+}
+
+FindMode::FindMode(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages, Searcher* searcher,
+                   const FindOptions& options, ui::SizePx screen, ui::Painter painter, ui::InkLayer ink,
+                   CardPictures pictures)
+    : fonts_(fonts),
+      languages_(languages),
+      options_(options),
+      layout_(ui::find_layout(screen, options.hand)),
+      screen_(fonts, languages),
+      notice_screen_(fonts, languages),
+      painter_(std::move(painter)),
+      ink_layer_(std::move(ink)),
+      pictures_(std::move(pictures)) {
+    if (searcher != nullptr) worker_ = std::make_unique<SearchWorker>(*searcher);
+    ink_layer_.resize(sheet_size(layout_));
+    painter_.set_picture(kInkPicture, &ink_layer_.texture());
+    start_over_frame();
+}
+
+void FindMode::start_over_frame() { frame_ = {layout_.scale, 0, 0}; }
+
+void FindMode::resize(ui::SizePx screen) {
+    if (screen.width < 1 || screen.height < 1 || screen == layout_.screen) return;
+    relayout(screen, options_.hand);
+}
+
+void FindMode::relayout(ui::SizePx screen, ui::Hand hand) {
+    const ui::FindLayout before = layout_;
+    options_.hand = hand;
+    layout_ = ui::find_layout(screen, hand);
+    const double ratio =
+        std::min(layout_.sheet.width / before.sheet.width, layout_.sheet.height / before.sheet.height);
+    frame_.offset_x = (frame_.offset_x - before.sheet.width / 2) * ratio + layout_.sheet.width / 2;
+    frame_.offset_y = (frame_.offset_y - before.sheet.height / 2) * ratio + layout_.sheet.height / 2;
+    frame_.scale *= ratio;
+    if (sketch_.empty()) start_over_frame();
+    ink_layer_.resize(sheet_size(layout_));
+    painter_.set_picture(kInkPicture, &ink_layer_.texture());
+    if (screen == before.screen) return;  // only the hand changed: cards and wash keep their size
+    pictures_.reset(painter_);
+    if (answer_) show_answer();
+    make_wash();
+}
+
+core::PenSample FindMode::sample_of(const ui::WindowEvent& event) const {
+    const core::Point p = frame_.from_px({event.x - layout_.sheet.x, event.y - layout_.sheet.y});
+    return {event.time_us - drawing_start_us_.value_or(event.time_us), p.x, p.y, event.pressure};
+}
+
+void FindMode::pointer(const ui::WindowEvent& event) {
+    using Kind = ui::WindowEvent::Kind;
+    const bool on_sheet = layout_.sheet.contains(event.x, event.y) && !showing_notice();
+    pointer_px_ = core::Point{event.x, event.y};
+    if (event.kind == Kind::Down) {
+        if (!on_sheet) {
+            if (const auto intent = touch_.press(targets(event.time_us), event.x, event.y)) act(*intent, event.time_us);
+        } else if (tool_ == ui::Tool::Pen) {
+            if (sketch_.empty() && !sketch_.can_undo()) drawing_start_us_ = event.time_us;
+            begin_stroke(sample_of(event), event.time_us);
+        } else {
+            pen_ = Pen::Erasing;
+            erase(event);
+        }
+    } else if (event.kind == Kind::Move) {
+        touch_.move(event.x, event.y);
+        if (pen_ == Pen::Drawing) extend_stroke(sample_of(event));
+        if (pen_ == Pen::Erasing) erase(event);
+    } else if (event.kind == Kind::Up) {
+        if (pen_ == Pen::Drawing) {
+            extend_stroke(sample_of(event));
+            end_stroke(event.time_us);
+        } else if (pen_ == Pen::Erasing) {
+            pen_ = Pen::Up;
+            sketch_.end_erasing();
+            sheet_changed(event.time_us);
+        }
+        touch_.move(event.x, event.y);
+        if (const auto intent = touch_.release()) act(*intent, event.time_us);
+        if (event.finger) pointer_px_.reset();
+    }
+}
+
+void FindMode::cancel_pointer(std::int64_t now_us) {
+    touch_.cancel();
+    pointer_px_.reset();
+    if (pen_ == Pen::Drawing) end_stroke(now_us);
+    if (pen_ == Pen::Erasing) {
+        pen_ = Pen::Up;
+        sketch_.end_erasing();
+        sheet_changed(now_us);
+    }
+}
+
+void FindMode::erase(const ui::WindowEvent& event) {
+    const core::Point p = frame_.from_px({event.x - layout_.sheet.x, event.y - layout_.sheet.y});
+    if (sketch_.erase_at(p, layout_.px(kEraserReach_px) / frame_.scale)) sheet_changed(event.time_us);
+}
+
+void FindMode::begin_stroke(const core::PenSample& sample, std::int64_t now_us) {
+    pen_ = Pen::Drawing;
+    pen_down_us_ = now_us;
+    cleared_ = false;
+    wash_settled_ = false;
+    if (wash_since_us_ && !wash_out_us_) wash_out_us_ = now_us;
+    sketch_.begin(sample);
+}
+
+void FindMode::extend_stroke(const core::PenSample& sample) {
+    if (sketch_.open()) sketch_.extend(sample);
+}
+
+void FindMode::end_stroke(std::int64_t now_us) {
+    pen_ = Pen::Up;
+    pen_up_us_ = now_us;
+    sketch_.end();
+    sheet_changed(now_us);
+}
+
+void FindMode::start_sheet_for(const core::Drawing& drawing) {
+    sketch_.forget();
+    pen_ = Pen::Up;
+    drop_results();
+    frame_ = fit_drawing(drawing, layout_.sheet.width, layout_.sheet.height);
+}
+
+void FindMode::act(const ui::Intent& intent, std::int64_t now_us) {
+    switch (intent.control) {
+        case ui::Control::Pen: tool_ = ui::Tool::Pen; break;
+        case ui::Control::Eraser: tool_ = ui::Tool::Eraser; break;
+        case ui::Control::UndoClear:
+        case ui::Control::Undo:
+            sketch_.undo();
+            cleared_ = false;
+            sheet_changed(now_us);
+            break;
+        case ui::Control::Redo:
+            sketch_.redo();
+            sheet_changed(now_us);
+            break;
+        case ui::Control::New:
+            sketch_.clear();
+            tool_ = ui::Tool::Pen;
+            cleared_ = true;
+            cleared_us_ = now_us;
+            sheet_changed(now_us);
+            break;
+        case ui::Control::Language: options_.language = intent.item; break;
+        case ui::Control::HandSwitch:
+            relayout(layout_.screen, options_.hand == ui::Hand::Right ? ui::Hand::Left : ui::Hand::Right);
+            break;
+        case ui::Control::StartDrawing: notice_left_ = true; break;
+    }
+}
+
+void FindMode::sheet_changed(std::int64_t now_us) {
+    pen_up_us_ = now_us;
+    if (sketch_.empty()) {
+        drop_results();
+    } else {
+        submit(now_us);
+    }
+}
+
+void FindMode::submit(std::int64_t now_us) {
+    if (!worker_) return;
+    submitted_us_ = now_us;
+    submitted_revision_ = sketch_.revision();
+    last_ticket_ = worker_->submit(sketch_.drawing());
+    last_ticket_revision_ = submitted_revision_;
+}
+
+void FindMode::drop_results() {
+    oldest_ticket_ = last_ticket_ + 1;
+    answer_.reset();
+    next_answer_.reset();
+    rail_.set({});
+    wash_.clear();
+    wash_since_us_.reset();
+    wash_out_us_.reset();
+    wash_settled_ = false;
+    submitted_revision_ = sketch_.revision();
+}
+
+void FindMode::accept(PreparedAnswer answer) {
+    if (answer.ticket < oldest_ticket_) return;
+    if (!answer.failure.empty()) search_failure_ = answer.failure;
+    next_answer_ = std::make_shared<const PreparedAnswer>(std::move(answer));
+}
+
+void FindMode::show_answer() {
+    pictures_.start(answer_, layout_);
+    make_wash();
+}
+
+void FindMode::make_wash() {
+    for (std::size_t i = 0; i < wash_.size(); ++i) painter_.set_picture(wash_id(i), nullptr);
+    wash_.clear();
+    if (!answer_ || answer_->answer.best.empty()) return;
+    std::vector<const FoundPart*> parts;
+    for (const FoundPart& part : answer_->answer.best[0].parts) {
+        if (part.colour >= 0 && part.colour < ui::palette::kPartCount) parts.push_back(&part);
+    }
+    std::stable_sort(parts.begin(), parts.end(), [](const auto* a, const auto* b) { return a->colour < b->colour; });
+    const ui::SizePx size = sheet_size(layout_);
+    for (const FoundPart* part : parts) {
+        core::Polygon ring;
+        for (const core::Point& p : part->on_drawing) ring.push_back(frame_.to_px(p));
+        const ui::CoverageImage fill = ui::fill_polygon(ring, size.width, size.height);
+        if (fill.coverage.pixels.empty()) continue;
+        ui::Texture texture({fill.coverage.width, fill.coverage.height}, ui::PixelFormat::Coverage);
+        texture.upload(0, 0, texture.size(), fill.coverage.pixels);
+        const ui::Rect place{static_cast<double>(fill.x), static_cast<double>(fill.y),
+                             static_cast<double>(fill.coverage.width), static_cast<double>(fill.coverage.height)};
+        wash_.push_back({std::move(texture), place, part->colour});
+    }
+    for (std::size_t i = 0; i < wash_.size(); ++i) painter_.set_picture(wash_id(i), &wash_[i].coverage);
+}
+
+bool FindMode::wash_is_current() const {
+    return answer_ && answer_->ticket == last_ticket_ && last_ticket_revision_ == sketch_.revision();
+}
+
+void FindMode::update(std::int64_t now_us) {
+    if (cleared_ && now_us - cleared_us_ > kClearedOffer_us) cleared_ = false;
+    if (worker_) {
+        const bool due = options_.search_every_us > 0 && now_us - submitted_us_ >= options_.search_every_us;
+        if (pen_ == Pen::Drawing && due && sketch_.revision() != submitted_revision_) submit(now_us);
+        if (auto answer = worker_->take()) accept(std::move(*answer));
+    }
+    if (next_answer_ && !pictures_.busy()) {
+        answer_ = std::exchange(next_answer_, nullptr);
+        show_answer();
+    }
+    pictures_.paint(1, layout_, painter_);
+    if (auto faces = pictures_.take_finished()) rail_.set(std::move(*faces));
+    rail_.update(now_us);
+    pictures_.keep_only_shown(rail_, painter_);
+
+    if (wash_out_us_ && now_us - *wash_out_us_ >= kWashOut_us) {
+        wash_out_us_.reset();
+        wash_since_us_.reset();
+    }
+    const bool resting = pen_ == Pen::Up && now_us - pen_up_us_ >= kWashRest_us;
+    if (resting && !wash_since_us_ && wash_is_current() && !wash_.empty()) wash_since_us_ = now_us;
+}
+
+void FindMode::search_and_wait(std::int64_t now_us) {
+    if (!worker_ || sketch_.empty()) return;
+    if (submitted_revision_ != sketch_.revision() || last_ticket_ < oldest_ticket_) submit(now_us);
+    if (answer_ && answer_->ticket >= last_ticket_) return;
+    if (!next_answer_ || next_answer_->ticket < last_ticket_) {
+        if (auto answer = worker_->wait_for(last_ticket_)) accept(std::move(*answer));
+    }
+    if (!next_answer_) return;
+    if (pictures_.busy()) pictures_.reset(painter_);
+    answer_ = std::exchange(next_answer_, nullptr);
+    show_answer();
+}
+
+void FindMode::settle(bool resting) {
+    pictures_.paint(static_cast<int>(ui::kCardCount), layout_, painter_);
+    if (auto faces = pictures_.take_finished()) rail_.set(std::move(*faces));
+    rail_.settle();
+    pictures_.keep_only_shown(rail_, painter_);
+    wash_settled_ = resting && wash_is_current();
+    wash_out_us_.reset();
+    if (!wash_settled_) wash_since_us_.reset();
+}
+
+double FindMode::wash_opacity(std::size_t part, std::int64_t now_us) const {
+    if (wash_settled_) return 1;
+    if (!wash_since_us_) return 0;
+    const std::int64_t age_us = now_us - *wash_since_us_ - kWashStagger_us * static_cast<std::int64_t>(part);
+    const double in = std::clamp(static_cast<double>(age_us) / static_cast<double>(kWashIn_us), 0.0, 1.0);
+    if (!wash_out_us_) return in;
+    const double out = static_cast<double>(now_us - *wash_out_us_) / static_cast<double>(kWashOut_us);
+    return in * std::clamp(1 - out, 0.0, 1.0);
+}
+
+ui::InkLayer::Ink FindMode::ink() const {
+    return {sketch_.drawing().strokes, sketch_.open(), sketch_.epoch(), frame_, layout_.ink_width_px};
+}
+
+int FindMode::update_ink() { return ink_layer_.update(ink()); }
+
+ui::FindState FindMode::state(std::int64_t now_us) const {
+    ui::FindState s;
+    const ui::Strings& words = languages_[options_.language];
+    s.language = options_.language;
+    s.tool = tool_;
+    s.can_undo = sketch_.can_undo();
+    s.can_redo = sketch_.can_redo();
+    s.sheet_empty = sketch_.empty();
+    s.sheet_cleared = cleared_ && sketch_.empty();
+    const bool nothing = !answer_ || answer_->answer.message_key.empty();
+    s.board_message = words[nothing ? ui::board_key(options_.notice) : answer_->answer.message_key];
+    s.cards = rail_.slots(now_us);
+    for (std::size_t i = 0; i < wash_.size(); ++i) {
+        const ui::Rect& r = wash_[i].in_sheet;
+        s.wash.push_back({wash_id(i), {r.x + layout_.sheet.x, r.y + layout_.sheet.y, r.width, r.height},
+                          wash_[i].colour, wash_opacity(i, now_us)});
+    }
+    s.ink = kInkPicture;
+    s.ink_rect = layout_.sheet;
+    s.wet_ink = ui::InkLayer::wet_end(ink());
+    for (ui::InkPiece& piece : s.wet_ink) {
+        piece.x0 += static_cast<float>(layout_.sheet.x);
+        piece.x1 += static_cast<float>(layout_.sheet.x);
+    }
+    if (tool_ == ui::Tool::Eraser && pointer_px_ && layout_.sheet.contains(pointer_px_->x, pointer_px_->y)) {
+        s.eraser_px = pointer_px_;
+    }
+    s.pressed = touch_.pressed();
+    s.pressed_item = touch_.pressed_item();
+    return s;
+}
+
+std::vector<ui::BoardTouch::Target> FindMode::targets(std::int64_t now_us) const {
+    if (showing_notice()) return notice_screen_.targets(options_.language, layout_);
+    return screen_.targets(state(now_us), layout_);
+}
+
+void FindMode::draw(std::int64_t now_us, bool flip) {
+    const ui::DrawList list =
+        showing_notice()
+            ? notice_screen_.draw(options_.notice, options_.language, layout_, touch_.pressed(), touch_.pressed_item())
+            : screen_.draw(state(now_us), layout_);
+    painter_.paint(list, layout_.screen, flip);
+}
+
+}  // namespace app

@@ -1,0 +1,133 @@
+#pragma once
+// The Find mode at work: pen and touches in, sketch, searches and cards kept, one draw list a frame out.
+// Ink never waits: searches run on the worker's thread and card pictures are painted one a frame.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "firmware_like_app/kiosk/card_pictures.hpp"
+#include "firmware_like_app/kiosk/search_worker.hpp"
+#include "ui/draw/ink_layer.hpp"
+#include "ui/draw/painter.hpp"
+#include "ui/gl/window.hpp"
+#include "ui/screens/find_screen.hpp"
+#include "ui/screens/notice_screen.hpp"
+#include "ui/screens/sketch.hpp"
+
+namespace app {
+
+struct FindOptions {
+    std::size_t language = 0;
+    ui::Hand hand = ui::Hand::Right;
+    ui::Notice notice = ui::Notice::None;
+    std::int64_t search_every_us = 80'000;  ///< while the pen draws; 0: only after strokes
+};
+
+class FindMode {
+  public:
+    /// `searcher` may be null: the sheet works, nothing is found. All references must outlive the mode.
+    [[nodiscard]] static core::Result<std::unique_ptr<FindMode>> create(const ui::FontSet& fonts,
+                                                                        const std::vector<ui::Strings>& languages,
+                                                                        Searcher* searcher, const FindOptions& options,
+                                                                        ui::SizePx screen);
+
+    /// Another size of screen: everything is laid out and drawn anew, the drawing keeps its place on the sheet.
+    void resize(ui::SizePx screen);
+    /// A mouse or a finger.
+    void pointer(const ui::WindowEvent& event);
+    /// The pointer is gone (focus lost): a stroke ends where it is, a pressed control does nothing.
+    void cancel_pointer(std::int64_t now_us);
+
+    /// An empty sheet with no history, onto which a drawing of this extent fits with a margin.
+    void start_sheet_for(const core::Drawing& drawing);
+    void begin_stroke(const core::PenSample& sample, std::int64_t now_us);
+    void extend_stroke(const core::PenSample& sample);
+    void end_stroke(std::int64_t now_us);
+
+    /// Once a frame: searches when due, takes answers, paints a few card pictures, moves what fades.
+    void update(std::int64_t now_us);
+    /// Searches the sheet as it is and waits until its answer is on the cards.
+    void search_and_wait(std::int64_t now_us);
+    /// Ends all fades; with `resting` the wash is shown as when the pen rests.
+    void settle(bool resting);
+    /// The frame into whatever is bound; `flip` for windows.
+    void draw(std::int64_t now_us, bool flip);
+    /// Draws new samples into the ink layer (before the frame is bound). Returns the number of pieces drawn.
+    int update_ink();
+
+    [[nodiscard]] const ui::Sketch& sketch() const { return sketch_; }
+    [[nodiscard]] const ui::FindLayout& layout() const { return layout_; }
+    /// The answer that the cards show or are about to.
+    [[nodiscard]] const PreparedAnswer* answer() const { return answer_.get(); }
+    [[nodiscard]] ui::FindState state(std::int64_t now_us) const;
+    [[nodiscard]] ui::Hand hand() const { return options_.hand; }
+    [[nodiscard]] bool showing_notice() const { return options_.notice != ui::Notice::None && !notice_left_; }
+    /// Searches finished so far.
+    [[nodiscard]] std::uint64_t searches() const { return worker_ ? worker_->searches() : 0; }
+    /// The last thing a searcher threw.
+    [[nodiscard]] const std::string& search_failure() const { return search_failure_; }
+
+  private:
+    FindMode(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages, Searcher* searcher,
+             const FindOptions& options, ui::SizePx screen, ui::Painter painter, ui::InkLayer ink,
+             CardPictures pictures);
+    struct Wash {
+        ui::Texture coverage;
+        ui::Rect in_sheet;  ///< pixels from the sheet's corner
+        int colour;
+    };
+
+    void act(const ui::Intent& intent, std::int64_t now_us);
+    void relayout(ui::SizePx screen, ui::Hand hand);
+    void sheet_changed(std::int64_t now_us);
+    void submit(std::int64_t now_us);
+    void accept(PreparedAnswer answer);
+    void show_answer();
+    void make_wash();
+    void drop_results();
+    void start_over_frame();
+    [[nodiscard]] bool wash_is_current() const;
+    [[nodiscard]] double wash_opacity(std::size_t part, std::int64_t now_us) const;
+    [[nodiscard]] ui::InkLayer::Ink ink() const;
+    [[nodiscard]] core::PenSample sample_of(const ui::WindowEvent& event) const;
+    [[nodiscard]] std::vector<ui::BoardTouch::Target> targets(std::int64_t now_us) const;
+    void erase(const ui::WindowEvent& event);
+
+    const ui::FontSet& fonts_;
+    const std::vector<ui::Strings>& languages_;
+    FindOptions options_;
+    ui::FindLayout layout_;
+    ui::FindScreen screen_;
+    ui::NoticeScreen notice_screen_;
+    ui::Painter painter_;
+    ui::InkLayer ink_layer_;
+    CardPictures pictures_;
+    std::unique_ptr<SearchWorker> worker_;
+
+    ui::Sketch sketch_;
+    ui::InkFrame frame_;  // units of the drawing to pixels of the sheet
+    ui::Tool tool_ = ui::Tool::Pen;
+    ui::BoardTouch touch_;
+    enum class Pen { Up, Drawing, Erasing } pen_ = Pen::Up;
+    std::optional<core::Point> pointer_px_;
+    std::optional<std::int64_t> drawing_start_us_;
+    std::int64_t pen_up_us_ = 0, pen_down_us_ = 0;
+    bool notice_left_ = false, cleared_ = false;
+    std::int64_t cleared_us_ = 0;
+
+    ui::CardRail rail_;
+    std::shared_ptr<const PreparedAnswer> answer_, next_answer_;
+    std::uint64_t oldest_ticket_ = 0;  // answers to older drawings are of a sheet that is gone
+    std::uint64_t last_ticket_ = 0, last_ticket_revision_ = 0, submitted_revision_ = 0;
+    std::int64_t submitted_us_ = -1'000'000'000;
+    std::string search_failure_;
+
+    std::vector<Wash> wash_;
+    bool wash_settled_ = false;
+    std::optional<std::int64_t> wash_since_us_;
+    std::optional<std::int64_t> wash_out_us_;
+};
+
+}  // namespace app

@@ -1,0 +1,265 @@
+#include "firmware_like_app/kiosk/kiosk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+#include "core/exchange/png_writer.hpp"
+#include "firmware_like_app/kiosk/drawing_recorder.hpp"
+#include "firmware_like_app/kiosk/find_mode.hpp"
+#include "firmware_like_app/kiosk/surface.hpp"
+
+namespace app {
+namespace {
+
+constexpr std::array<int, 4> kMarks{25, 50, 75, 100};  // per cent of the ink
+constexpr std::int64_t kReplayRest_us = 2'500'000;     // in a window, for people to see the result
+constexpr ui::SizePx kDefaultSize{1920, 1080};
+
+double ms_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Letters, digits, dot, dash and underscore; anything else would make a file name awkward.
+std::string file_part(const std::string& name) {
+    std::string out;
+    for (const char c : name) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_';
+        out += plain ? c : '-';
+    }
+    return out.substr(0, 80);
+}
+
+class Loop {
+  public:
+    Loop(const KioskOptions& options, std::vector<NamedDrawing> replays, Surface& surface, FindMode& find)
+        : options_(options),
+          replays_(std::move(replays)),
+          surface_(surface),
+          find_(find),
+          player_(replays_, options.headless ? 0 : kReplayRest_us),
+          recorder_(options.record) {
+        report_.renderer = ui::renderer_name();
+    }
+
+    core::Result<KioskReport> run() {
+        if (replays_.empty() && options_.headless) return still_picture();
+        start_us_ = surface_.now_us();
+        while (!ended_ && failure_.has_value()) {
+            for (const ui::WindowEvent& event : surface_.poll()) handle(event);
+            replay();
+            find_.update(surface_.now_us());
+            find_.update_ink();
+            const bool drawn = surface_.shows_frames();
+            if (drawn) draw_frame();
+            surface_.next_frame(drawn);
+            if (player_.ended() && (options_.headless || (options_.end_after_replays && !replays_.empty()))) break;
+        }
+        if (!options_.headless) record();
+        if (!failure_) return core::unexpected(failure_.error());
+        finish_times();
+        return std::move(report_);
+    }
+
+  private:
+    core::Result<KioskReport> still_picture() {
+        report_.replays.emplace_back();
+        find_.settle(true);
+        shoot("sheet");
+        if (!failure_) return core::unexpected(failure_.error());
+        finish_times();
+        return std::move(report_);
+    }
+
+    void handle(const ui::WindowEvent& event) {
+        using Kind = ui::WindowEvent::Kind;
+        switch (event.kind) {
+            case Kind::Close:
+            case Kind::Escape: ended_ = true; break;
+            case Kind::Resized: find_.resize(surface_.size()); break;
+            case Kind::FocusGained: break;  // the next frame is drawn whole, as every frame is
+            case Kind::FocusLost:
+            case Kind::Cancel: find_.cancel_pointer(event.time_us); break;
+            case Kind::Down:
+            case Kind::Move:
+            case Kind::Up:
+                if (player_.ended()) pointer(event);
+                break;
+        }
+    }
+
+    void pointer(const ui::WindowEvent& event) {
+        if (!find_.sketch().empty()) last_drawing_ = find_.sketch().drawing();
+        find_.pointer(event);
+        if (find_.sketch().empty() && !last_drawing_.empty()) record();
+    }
+
+    /// Keeps what a visitor drew when the sheet is emptied or the kiosk ends.
+    void record() {
+        if (!find_.sketch().empty()) last_drawing_ = find_.sketch().drawing();
+        const core::Result<void> kept = recorder_.keep(std::exchange(last_drawing_, {}));
+        if (!kept && failure_) failure_ = kept;
+    }
+
+    void replay() {
+        const std::int64_t now_us = surface_.now_us();
+        while (const std::optional<ReplayEvent> event = player_.next(now_us - start_us_)) {
+            replay_event(*event, now_us);
+            if (!failure_) return;
+        }
+    }
+
+    void replay_event(const ReplayEvent& event, std::int64_t now_us) {
+        switch (event.kind) {
+            case ReplayEvent::Kind::DrawingStarts:
+                report_.replays.push_back({});
+                report_.replays.back().name = replays_[event.drawing].name;
+                searches_before_ = find_.searches();
+                next_mark_ = 0;
+                find_.start_sheet_for(replays_[event.drawing].drawing);
+                break;
+            case ReplayEvent::Kind::Down: find_.begin_stroke(event.sample, now_us); break;
+            case ReplayEvent::Kind::Move: find_.extend_stroke(event.sample); break;
+            case ReplayEvent::Kind::Up:
+                find_.end_stroke(now_us);
+                if (options_.headless) find_.search_and_wait(now_us);
+                break;
+            case ReplayEvent::Kind::DrawingEnds:
+                find_.search_and_wait(now_us);
+                while (next_mark_ < kMarks.size()) mark(now_us);
+                finish_replay();
+                return;
+        }
+        // the last mark waits for the end, where the pen has lifted
+        while (next_mark_ + 1 < kMarks.size() && event.ink_share * 100 >= kMarks[next_mark_]) mark(now_us);
+    }
+
+    void mark(std::int64_t now_us) {
+        const int percent = kMarks[next_mark_++];
+        if (options_.shots.empty()) return;
+        find_.search_and_wait(now_us);
+        find_.settle(percent == 100);
+        std::array<char, 16> end{};
+        std::snprintf(end.data(), end.size(), "-%03d", percent);
+        shoot(file_part(report_.replays.back().name) + end.data());
+    }
+
+    void shoot(const std::string& name) {
+        if (options_.shots.empty()) return;
+        std::array<char, 16> number{};
+        std::snprintf(number.data(), number.size(), "%04d-", ++shots_);
+        const std::filesystem::path path = options_.shots / (number.data() + name + ".png");
+        find_.update_ink();
+        draw_frame();
+        failure_ = core::write_png(path, surface_.read_back());
+        if (failure_) report_.replays.back().shots.push_back(path);
+    }
+
+    void finish_replay() {
+        ReplayReport& replay = report_.replays.back();
+        replay.searches = static_cast<int>(find_.searches() - searches_before_);
+        replay.failure = find_.search_failure();
+        const PreparedAnswer* last = find_.answer();
+        if (last == nullptr) return;
+        for (const FoundModel& model : last->answer.best) {
+            replay.ids.push_back(model.id);
+            replay.names.push_back(model.name);
+        }
+        replay.message_key = last->answer.message_key;
+        replay.silhouette_ms = last->answer.silhouette_ms;
+        replay.describe_ms = last->answer.describe_ms;
+        replay.search_ms = last->answer.search_ms;
+    }
+
+    void draw_frame() {
+        const auto start = std::chrono::steady_clock::now();
+        const bool flip = surface_.bind();
+        find_.draw(surface_.now_us(), flip);
+        const double ms = ms_since(start);
+        report_.worst_frame_ms = std::max(report_.worst_frame_ms, ms);
+        ++report_.frames;
+        ++frame_ms_[static_cast<std::size_t>(std::clamp(ms * 4, 0.0, frame_ms_.size() - 1.0))];
+    }
+
+    void finish_times() {
+        std::int64_t seen = 0;
+        for (std::size_t i = 0; i < frame_ms_.size(); ++i) {
+            seen += frame_ms_[i];
+            if (seen * 2 < report_.frames || report_.frames == 0) continue;
+            report_.median_frame_ms = (static_cast<double>(i) + 0.5) / 4;
+            return;
+        }
+    }
+
+    const KioskOptions& options_;
+    std::vector<NamedDrawing> replays_;
+    Surface& surface_;
+    FindMode& find_;
+    ReplayPlayer player_;
+    DrawingRecorder recorder_;
+    core::Drawing last_drawing_;
+    KioskReport report_;
+    core::Result<void> failure_;
+    std::int64_t start_us_ = 0;
+    std::uint64_t searches_before_ = 0;
+    std::size_t next_mark_ = 0;
+    int shots_ = 0;
+    bool ended_ = false;
+    std::array<std::int64_t, 2000> frame_ms_{};  // how many frames took each quarter of a millisecond
+};
+
+core::Result<std::unique_ptr<Surface>> open_surface(const KioskOptions& options) {
+    if (options.headless) return make_headless_surface(options.size.value_or(kDefaultSize));
+    ui::WindowOptions window;
+    window.size = options.size.value_or(kDefaultSize);
+    window.full_screen = !options.windowed;
+    return open_window_surface(window);
+}
+
+core::Result<void> make_folder(const std::filesystem::path& folder) {
+    if (folder.empty()) return {};
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error) return {};
+    return core::unexpected(core::ErrorCode::WriteFailed, "the folder cannot be made (" + error.message() + ")",
+                            folder.string());
+}
+
+}  // namespace
+
+core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searcher,
+                                    std::vector<NamedDrawing> replays) {
+    if (options.headless && replays.empty() && options.shots.empty()) {
+        return core::unexpected(core::ErrorCode::BadArgument,
+                                "a kiosk without a screen needs drawings to replay or a folder for pictures");
+    }
+    for (const std::filesystem::path& folder : {options.shots, options.record}) {
+        if (const core::Result<void> made = make_folder(folder); !made) return core::unexpected(made.error());
+    }
+    core::Result<std::vector<ui::Strings>> languages = ui::Strings::load_all();
+    if (!languages) return core::unexpected(languages.error());
+    const auto language = std::find_if(languages->begin(), languages->end(),
+                                       [&](const ui::Strings& s) { return s.code() == options.language; });
+    if (language == languages->end()) {
+        return core::unexpected(core::ErrorCode::BadArgument, "there are no words in the language \"" +
+                                                                  options.language + "\"; use en, fr or de");
+    }
+    core::Result<ui::FontSet> fonts = ui::FontSet::load();
+    if (!fonts) return core::unexpected(fonts.error());
+    core::Result<std::unique_ptr<Surface>> surface = open_surface(options);
+    if (!surface) return core::unexpected(surface.error());
+
+    FindOptions find_options;
+    find_options.language = static_cast<std::size_t>(language - languages->begin());
+    find_options.hand = options.hand;
+    find_options.notice = replays.empty() ? options.notice : ui::Notice::None;
+    find_options.search_every_us = options.headless ? 0 : options.search_every_us;
+    core::Result<std::unique_ptr<FindMode>> find =
+        FindMode::create(*fonts, *languages, searcher, find_options, (*surface)->size());
+    if (!find) return core::unexpected(find.error());
+    return Loop(options, std::move(replays), **surface, **find).run();
+}
+
+}  // namespace app

@@ -1,0 +1,59 @@
+#pragma once
+// The kiosk's loop: one for the window and for pictures without a screen, for visitors and for replayed drawings.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "firmware_like_app/kiosk/replay_player.hpp"
+#include "firmware_like_app/kiosk/searcher.hpp"
+#include "ui/gl/context.hpp"
+#include "ui/screens/find_layout.hpp"
+#include "ui/screens/notice_screen.hpp"
+
+namespace app {
+
+struct KioskOptions {
+    std::optional<ui::SizePx> size;  ///< default: the whole screen, 1920 × 1080 headless
+    bool windowed = false;           ///< a framed window instead of the full screen
+    bool headless = false;           ///< no screen at all; a virtual clock; ends when the replays do
+    bool end_after_replays = false;  ///< in a window; otherwise the sheet is free when the replays end
+    std::filesystem::path shots;     ///< folder for numbered pictures at 25, 50, 75 and 100 % of each replay's ink
+    std::filesystem::path record;    ///< folder for what visitors draw, one Quick-Draw line a drawing
+    std::string language = "en";     ///< code of a language file
+    ui::Hand hand = ui::Hand::Right;
+    ui::Notice notice = ui::Notice::None;  ///< a calm screen to start with, when there is no collection
+    std::int64_t search_every_us = 80'000; ///< while the pen draws, in a window; headless searches after strokes
+};
+
+/// What came of one replayed drawing.
+struct ReplayReport {
+    std::string name;
+    std::vector<std::int64_t> ids;     ///< of the last ranking, best first, all that the searcher gave
+    std::vector<std::string> names;    ///< of the same models
+    std::string message_key;           ///< of the last answer
+    double silhouette_ms = 0, describe_ms = 0, search_ms = 0;  ///< of the last search
+    int searches = 0;
+    std::string failure;               ///< what went wrong while searching; empty when all is well
+    std::vector<std::filesystem::path> shots;
+};
+
+struct KioskReport {
+    std::vector<ReplayReport> replays;
+    std::int64_t frames = 0;       ///< drawn
+    double median_frame_ms = 0;    ///< time to draw one, presenting left out
+    double worst_frame_ms = 0;
+    std::string renderer;          ///< what draws, as GL names it
+};
+
+/// Runs until the window is closed, Escape is pressed, or (headless or end_after_replays) the replays end.
+/// `searcher` may be null: the sheet works and nothing is found. Headless, the loop waits for the search after each
+/// stroke and at each picture, so two runs give the same pictures. Errors: NoDisplay, FileMissing (fonts),
+/// BadArgument (unknown language, headless without replays or shots), WriteFailed (shots, record).
+[[nodiscard]] core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searcher,
+                                                  std::vector<NamedDrawing> replays);
+
+}  // namespace app

@@ -1,0 +1,93 @@
+#pragma once
+// What a screen wants drawn, in order, as plain values: screens make lists, the painter draws them.
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "ui/draw/fonts.hpp"
+#include "ui/draw/icons.hpp"
+#include "ui/draw/ink_curve.hpp"
+#include "ui/draw/palette.hpp"
+
+namespace ui {
+
+/// Names a texture that the painter is told about separately.
+enum class PictureId : int {};
+
+struct BoxCommand {
+    Rect rect;
+    double radius = 0;
+    Colour fill;
+    Colour border = palette::kNone;
+    double border_px = 0;
+    double softness = 0;  ///< > 0: a shadow whose edge fades over this many pixels to either side
+};
+
+/// One line; x, y is the start of its baseline.
+struct TextCommand {
+    std::string text;
+    TextStyle style;
+    Colour colour;
+    double x = 0, y = 0;
+};
+
+struct IconCommand {
+    Icon icon = Icon::Pen;
+    double centre_x = 0, centre_y = 0;
+    double size_px = 36, line_px = 2.5;
+    Colour colour;
+};
+
+struct PictureCommand {
+    enum class Mode { Picture, Tint, Wash };  ///< as it is; coverage in a colour; coverage multiplied as a wash
+    PictureId picture{};
+    Rect rect;
+    Mode mode = Mode::Picture;
+    Colour tint;
+    double opacity = 1;
+};
+
+/// Ink drawn straight to the screen: the wet end.
+struct InkCommand {
+    std::vector<InkPiece> pieces;
+    Colour colour;
+};
+
+using DrawCommand = std::variant<BoxCommand, TextCommand, IconCommand, PictureCommand, InkCommand>;
+
+enum class Align { Left, Centre, Right };
+
+class DrawList {
+  public:
+    void box(const Rect& rect, double radius, Colour fill, Colour border = palette::kNone, double border_px = 0) {
+        commands.emplace_back(BoxCommand{rect, radius, fill, border, border_px, 0});
+    }
+    /// A soft shadow of the rounded rectangle, moved down by `down`.
+    void shadow(const Rect& rect, double radius, double down, double softness, Colour colour) {
+        commands.emplace_back(
+            BoxCommand{{rect.x, rect.y + down, rect.width, rect.height}, radius, colour, {}, 0, softness});
+    }
+    /// `x` is the left end, middle or right end; `y` the baseline.
+    void text(const FontSet& fonts, const std::string& text, const TextStyle& style, Colour colour, double x, double y,
+              Align align = Align::Left);
+    void icon(Icon icon, double centre_x, double centre_y, double size_px, double line_px, Colour colour) {
+        commands.emplace_back(IconCommand{icon, centre_x, centre_y, size_px, line_px, colour});
+    }
+    void picture(PictureId id, const Rect& rect, double opacity = 1) {
+        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Picture, {}, opacity});
+    }
+    void tinted(PictureId id, const Rect& rect, Colour tint) {
+        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Tint, tint, 1});
+    }
+    void wash(PictureId id, const Rect& rect, Colour tint, double opacity) {
+        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Wash, tint, opacity});
+    }
+    void ink(std::vector<InkPiece> pieces, Colour colour) {
+        commands.emplace_back(InkCommand{std::move(pieces), colour});
+    }
+
+    std::vector<DrawCommand> commands;
+};
+
+}  // namespace ui

@@ -1,0 +1,71 @@
+#include "ui/draw/ink_layer.hpp"
+
+#include <utility>
+
+namespace ui {
+namespace {
+
+/// Spans of a stroke that no later sample can bend.
+std::size_t settled_spans(const core::Stroke& stroke, bool open) {
+    const std::size_t spans = ink_span_count(stroke.samples);
+    return open && spans > 0 ? spans - 1 : spans;
+}
+
+}  // namespace
+
+core::Result<InkLayer> InkLayer::create(SizePx size) {
+    core::Result<Program> program = Program::load("ink");
+    if (!program) return core::unexpected(program.error());
+    return InkLayer(std::move(*program), size);
+}
+
+InkLayer::InkLayer(Program program, SizePx size)
+    : program_(std::move(program)), target_(size, PixelFormat::Coverage), stream_({4, 2}, true) {}
+
+void InkLayer::resize(SizePx size) {
+    if (size == target_.size()) return;
+    target_ = Target(size, PixelFormat::Coverage);
+    fresh_ = true;
+}
+
+int InkLayer::update(const Ink& ink) {
+    target_.bind();
+    if (fresh_ || ink.epoch != epoch_ || !(ink.frame == frame_) || ink.width_px != width_px_) {
+        clear(0, 0, 0, 0);
+        fresh_ = false;
+        epoch_ = ink.epoch;
+        frame_ = ink.frame;
+        width_px_ = ink.width_px;
+        stroke_ = span_ = 0;
+    }
+    std::vector<InkPiece> pieces;
+    while (stroke_ < ink.strokes.size()) {
+        const bool last = stroke_ + 1 == ink.strokes.size();
+        const std::vector<core::PenSample>& samples = ink.strokes[stroke_].samples;
+        const std::size_t settled = settled_spans(ink.strokes[stroke_], last && ink.last_open);
+        for (; span_ < settled; ++span_) append_ink_span(samples, span_, ink.frame, ink.width_px, pieces);
+        if (last) break;
+        ++stroke_;
+        span_ = 0;
+    }
+    if (pieces.empty()) return 0;
+    static_assert(sizeof(InkPiece) == 6 * sizeof(float));
+    stream_.fill({&pieces.front().x0, pieces.size() * 6});
+    program_.use();
+    program_.set("viewport", static_cast<float>(size().width), static_cast<float>(size().height));
+    program_.set("flip", 1.0F);
+    program_.set("tint", 0.0F, 0.0F, 0.0F, 0.0F);
+    set_blend(Blend::Maximum);
+    stream_.draw_quads(static_cast<int>(pieces.size()));
+    return static_cast<int>(pieces.size());
+}
+
+std::vector<InkPiece> InkLayer::wet_end(const Ink& ink) {
+    std::vector<InkPiece> pieces;
+    if (!ink.last_open || ink.strokes.empty()) return pieces;
+    const std::vector<core::PenSample>& samples = ink.strokes.back().samples;
+    if (!samples.empty()) append_ink_span(samples, ink_span_count(samples) - 1, ink.frame, ink.width_px, pieces);
+    return pieces;
+}
+
+}  // namespace ui

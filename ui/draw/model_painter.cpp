@@ -1,0 +1,135 @@
+#include "ui/draw/model_painter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ui/draw/palette.hpp"
+
+namespace ui {
+namespace {
+
+constexpr int kOversampling = 2;
+constexpr float kShadowStrength = 0.42F;
+
+/// Image plane to picture: both -1 … 1, the picture y down.
+struct Fit {
+    double sx = 1, sy = -1, ox = 0, oy = 0;
+    [[nodiscard]] double x(double plane_x) const { return plane_x * sx + ox; }
+    [[nodiscard]] double y(double plane_y) const { return plane_y * sy + oy; }
+};
+
+/// The largest that keeps the margin; the model stands at the bottom, centred.
+Fit fit_box(const CardModel& model, SizePx size, double margin) {
+    const double width = std::max(model.right - model.left, 1e-6), height = std::max(model.top - model.bottom, 1e-6);
+    const double scale = (1 - 2 * margin) * std::min(size.width / width, size.height / height);  // px a plane unit
+    const double mirror = model.mirrored ? -1.0 : 1.0;
+    Fit fit;
+    fit.sx = mirror * scale * 2 / size.width;
+    fit.sy = -scale * 2 / size.height;
+    fit.ox = -(model.left + model.right) / 2 * fit.sx;
+    const double free_above = (1 - margin) * 2 - height * scale * 2 / size.height;  // pictures are wide, models sit low
+    const double drop = std::max(0.0, free_above - 2 * margin) * 0.5;
+    fit.oy = 1 - 2 * margin - drop - model.bottom * fit.sy;
+    return fit;
+}
+
+void set_vector(const Program& program, const char* uniform, const core::Vec3& v) {
+    program.set(uniform, static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
+}
+
+/// Wide faint and narrow dark ellipses under every place where the model stands.
+std::vector<float> shadow_quads(const CardModel& model, const Fit& fit, SizePx size) {
+    std::vector<float> quads;
+    const auto add = [&](double centre, double y, double half_width, double half_height, float strength) {
+        for (const double v : {centre - half_width, y - half_height, 2 * half_width, 2 * half_height}) {
+            quads.push_back(static_cast<float>(v));
+        }
+        const Colour c = palette::kInk;
+        for (const float v : {c.r, c.g, c.b, strength}) quads.push_back(v);
+    };
+    const double ground = (fit.y(model.bottom) + 1) / 2 * size.height;
+    const double unit = size.height;
+    double left = size.width, right = 0;
+    for (const core::Point& span : model.contacts) {
+        const double x0 = (fit.x(span.x) + 1) / 2 * size.width, x1 = (fit.x(span.y) + 1) / 2 * size.width;
+        left = std::min({left, x0, x1});
+        right = std::max({right, x0, x1});
+        add((x0 + x1) / 2, ground - 0.008 * unit, std::abs(x1 - x0) / 2 + 0.045 * unit, 0.026 * unit, kShadowStrength);
+    }
+    if (right > left) {
+        add((left + right) / 2, ground - 0.012 * unit, (right - left) / 2 + 0.16 * unit, 0.05 * unit,
+            kShadowStrength * 0.45F);
+    }
+    return quads;
+}
+
+}  // namespace
+
+core::Result<ModelPainter> ModelPainter::create() {
+    core::Result<Program> model = Program::load("model");
+    if (!model) return core::unexpected(model.error());
+    core::Result<Program> soft = Program::load("soft");
+    if (!soft) return core::unexpected(soft.error());
+    return ModelPainter(std::move(*model), std::move(*soft));
+}
+
+ModelPainter::ModelPainter(Program model, Program soft)
+    : model_program_(std::move(model)),
+      soft_program_(std::move(soft)),
+      corners_({3, 3, 3}, false),
+      shadows_({4, 4}, true),
+      no_parts_({1, 1}, PixelFormat::Colour) {
+    const std::array<std::uint8_t, 4> nothing{};
+    no_parts_.upload(0, 0, {1, 1}, nothing);
+}
+
+Texture ModelPainter::paint(const CardModel& model, const ModelPictureOptions& options) {
+    Target target = draw(model, options);
+    target.resolve();
+    return target.take_texture();
+}
+
+core::RgbaImage ModelPainter::paint_image(const CardModel& model, const ModelPictureOptions& options) {
+    return draw(model, options).read_back();
+}
+
+Target ModelPainter::draw(const CardModel& model, const ModelPictureOptions& options) {
+    const SizePx size{options.size.width * kOversampling, options.size.height * kOversampling};
+    Target target(size, PixelFormat::Colour, Target::Depth::Multisampled);
+    target.bind();
+    clear(0, 0, 0, 0, true);
+    const Fit fit = fit_box(model, size, options.margin);
+
+    const std::vector<float> quads = shadow_quads(model, fit, size);
+    if (!quads.empty()) {
+        soft_program_.use();
+        soft_program_.set("viewport", static_cast<float>(size.width), static_cast<float>(size.height));
+        soft_program_.set("flip", 1.0F);
+        set_blend(Blend::Over);
+        shadows_.fill(quads);
+        shadows_.draw_quads(static_cast<int>(quads.size() / 8));
+    }
+    set_blend(Blend::Off);
+    set_depth_test(true);
+    Texture map({std::max(model.part_map.width, 1), std::max(model.part_map.height, 1)}, PixelFormat::Colour);
+    if (model.part_map.width > 0) map.upload(0, 0, map.size(), model.part_map.pixels);
+    (model.part_map.width > 0 ? map : no_parts_).bind(0);
+    model_program_.use();
+    model_program_.set("parts", 0);
+    set_vector(model_program_, "right", model.camera.right());
+    set_vector(model_program_, "up", model.camera.up);
+    set_vector(model_program_, "toward", model.camera.direction);
+    model_program_.set("fit", static_cast<float>(fit.sx), static_cast<float>(fit.sy), static_cast<float>(fit.ox),
+                       static_cast<float>(fit.oy));
+    model_program_.set("mirror", model.mirrored ? -1.0F : 1.0F);
+    model_program_.set("clay", palette::kClay.r, palette::kClay.g, palette::kClay.b);
+    model_program_.set("part_share", palette::kPartShare);
+    model_program_.set("own_share", options.own_colours ? 1.0F : 0.0F);
+    corners_.fill(model.geometry->corners);
+    corners_.draw_triangles(model.geometry->corner_count());
+    set_depth_test(false);
+    return target;
+}
+
+}  // namespace ui

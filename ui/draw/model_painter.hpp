@@ -1,0 +1,33 @@
+#pragma once
+// Draws a lit model into a picture with a transparent ground: what stands on a card.
+
+#include "ui/draw/model_geometry.hpp"
+#include "ui/gl/objects.hpp"
+
+namespace ui {
+
+struct ModelPictureOptions {
+    SizePx size{400, 270};     ///< of the place on screen; the picture holds twice as many pixels each way
+    double margin = 0.05;      ///< of the picture, kept free on every side
+    bool own_colours = false;  ///< the mesh's colours instead of clay where no part colour lies
+};
+
+class ModelPainter {
+  public:
+    [[nodiscard]] static core::Result<ModelPainter> create();
+
+    /// The model seen by its camera, filling the picture, with its shadow on the ground. Twice the size asked for with
+    /// four samples a pixel, so that it is smooth when shown at that size. Cost: the model's triangles.
+    [[nodiscard]] Texture paint(const CardModel& model, const ModelPictureOptions& options);
+    /// The same as pixels, for files and tests.
+    [[nodiscard]] core::RgbaImage paint_image(const CardModel& model, const ModelPictureOptions& options);
+
+  private:
+    ModelPainter(Program model, Program soft);
+    Target draw(const CardModel& model, const ModelPictureOptions& options);
+    Program model_program_, soft_program_;
+    VertexStream corners_, shadows_;
+    Texture no_parts_;
+};
+
+}  // namespace ui

@@ -1,0 +1,59 @@
+#pragma once
+// Draws lists: boxes, text and icons in batches, pictures one by one.
+
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "ui/draw/draw_list.hpp"
+#include "ui/gl/objects.hpp"
+
+namespace ui {
+
+class Painter {
+  public:
+    /// `fonts` must outlive the painter.
+    [[nodiscard]] static core::Result<Painter> create(const FontSet& fonts);
+
+    /// The texture behind a picture's name until it is named anew; null forgets it. Unknown pictures are not drawn.
+    void set_picture(PictureId id, const Texture* texture);
+
+    /// Draws into the target that is bound. `flip`: true for a window, whose first row is the bottom one.
+    void paint(const DrawList& list, SizePx viewport, bool flip);
+
+  private:
+    enum class Batch { None, Boxes, Glyphs };
+    /// Place of a glyph or icon in the atlas.
+    struct Slot {
+        int x = 0, y = 0, width = 0, height = 0;
+        int left = 0, top = 0;
+    };
+    using SlotKey = std::tuple<int, unsigned, int, int>;  ///< font (or -1 for icons), glyph, size in 1/64 px, phase
+
+    Painter(const FontSet& fonts, Program box, Program glyph, Program picture, Program ink);
+    void start(Batch batch);
+    void flush();
+    void use(const Program& program) const;
+    const Slot& place(const SlotKey& key, const GlyphImage& image);
+    void add_glyph(const Slot& slot, double x, double y, Colour colour);
+
+    void draw(const BoxCommand& box);
+    void draw(const TextCommand& text);
+    void draw(const IconCommand& icon);
+    void draw(const PictureCommand& picture);
+    void draw(const InkCommand& ink);
+
+    const FontSet* fonts_;
+    Program box_program_, glyph_program_, picture_program_, ink_program_;
+    VertexStream boxes_, glyphs_, picture_, ink_;
+    Texture atlas_;
+    std::map<SlotKey, Slot> slots_;
+    int shelf_x_ = 0, shelf_y_ = 0, shelf_height_ = 0;
+    std::map<PictureId, const Texture*> pictures_;
+    Batch batch_ = Batch::None;
+    std::vector<float> floats_;
+    SizePx viewport_;
+    float flip_ = 1;
+};
+
+}  // namespace ui

@@ -1,0 +1,133 @@
+#pragma once
+// OpenGL ES objects with owners: programs, buffers, textures, framebuffers. All need a current context.
+// Row 0 of every texture is its top row, so v = 0 is the top both for uploads and for what was drawn into it.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/silhouette/image.hpp"
+#include "ui/gl/context.hpp"
+
+namespace ui {
+
+/// A GL name that is 0 once moved from.
+class GlName {
+  public:
+    GlName() = default;
+    explicit GlName(unsigned name) : name_(name) {}
+    GlName(GlName&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    GlName& operator=(GlName&& other) noexcept {
+        std::swap(name_, other.name_);
+        return *this;
+    }
+    [[nodiscard]] unsigned get() const { return name_; }
+
+  private:
+    unsigned name_ = 0;
+};
+
+/// A linked pair of shaders.
+class Program {
+  public:
+    /// Builds `name`.vert and `name`.frag of ui/shaders. ErrorCode::Internal with the compiler's message.
+    [[nodiscard]] static core::Result<Program> load(std::string_view name);
+    Program(Program&&) noexcept = default;
+    Program& operator=(Program&&) noexcept = default;
+    ~Program();
+
+    void use() const;
+    void set(const char* uniform, int value) const;
+    void set(const char* uniform, float x) const;
+    void set(const char* uniform, float x, float y) const;
+    void set(const char* uniform, float x, float y, float z) const;
+    void set(const char* uniform, float x, float y, float z, float w) const;
+
+  private:
+    explicit Program(unsigned name) : name_(name) {}
+    [[nodiscard]] int location(const char* uniform) const;
+    GlName name_;
+};
+
+enum class PixelFormat { Coverage, Colour };  ///< one byte (R8), or four with premultiplied alpha (RGBA8)
+
+/// Linear filtering, edges clamped.
+class Texture {
+  public:
+    Texture(SizePx size, PixelFormat format);
+    Texture(Texture&&) noexcept = default;
+    Texture& operator=(Texture&&) noexcept = default;
+    ~Texture();
+
+    /// Replaces the rectangle with tightly packed rows, top first.
+    void upload(int x, int y, SizePx size, std::span<const std::uint8_t> rows);
+    void bind(int unit) const;
+    [[nodiscard]] SizePx size() const { return size_; }
+    [[nodiscard]] unsigned name() const { return name_.get(); }
+
+  private:
+    GlName name_;
+    SizePx size_;
+    PixelFormat format_;
+};
+
+/// A texture that can be drawn into; with samples > 0 and depth through a multisampled buffer that resolve() copies.
+class Target {
+  public:
+    enum class Depth { None, Multisampled };
+    Target(SizePx size, PixelFormat format, Depth depth = Depth::None);
+    Target(Target&& other) noexcept = default;
+    Target& operator=(Target&& other) noexcept = default;
+    ~Target();
+
+    /// Directs drawing here and sets the viewport to the whole of it.
+    void bind() const;
+    /// Makes texture() show what was drawn. Nothing to do without multisampling.
+    void resolve() const;
+    [[nodiscard]] const Texture& texture() const { return texture_; }
+    [[nodiscard]] Texture take_texture() { return std::move(texture_); }
+    [[nodiscard]] SizePx size() const { return texture_.size(); }
+    /// The pixels, top row first; a coverage target gives its value as red.
+    [[nodiscard]] core::RgbaImage read_back() const;
+
+  private:
+    Texture texture_;
+    GlName frame_, sampled_frame_, sampled_colour_, sampled_depth_;
+};
+
+/// Directs drawing to the window (or whatever frame 0 is) and sets the viewport.
+void bind_window(SizePx size);
+/// The pixels of the window's frame that is being drawn, top row first.
+[[nodiscard]] core::RgbaImage read_window(SizePx size);
+
+/// Interleaved floats that change often, with the vertex array that reads them.
+class VertexStream {
+  public:
+    /// `layout` lists the number of floats of attribute 0, 1, …; `per_instance` steps them once an instance.
+    VertexStream(std::initializer_list<int> layout, bool per_instance);
+    VertexStream(VertexStream&&) noexcept = default;
+    VertexStream& operator=(VertexStream&&) noexcept = default;
+    ~VertexStream();
+
+    void fill(std::span<const float> floats);
+    /// Four corners a quad, one quad an instance.
+    void draw_quads(int instances) const;
+    void draw_triangles(int vertices) const;
+
+  private:
+    GlName array_, buffer_;
+};
+
+enum class Blend { Off, Over, Multiply, Maximum };  ///< Over expects premultiplied colours
+void set_blend(Blend blend);
+void set_depth_test(bool on);
+void clear(float r, float g, float b, float a, bool depth = false);
+/// Waits until all drawing is done; for measuring.
+void finish();
+/// What draws, as the driver names it.
+[[nodiscard]] std::string renderer_name();
+
+}  // namespace ui

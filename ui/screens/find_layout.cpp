@@ -1,0 +1,108 @@
+#include "ui/screens/find_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+/// The numbers of one arrangement, in pixels of its design picture, right-handed.
+struct Numbers {
+    double width, height;
+    double board;
+    Rect header;
+    double wordmark_baseline;
+    Rect best, best_picture;
+    double small_y, small_pitch, small_width, small_height, small_picture;
+    double tools_x, tools_y, tool_width, tool_height;
+    double tool_offsets[kToolCount];
+    double divider_offsets[2];
+    Rect footer;
+    double language_width, hand_x, hand_width;
+    double ink_width;
+};
+
+constexpr Numbers kWide{1920, 1080, 672, {40, 32, 504, 72}, 81, {40, 128, 504, 296}, {112, 124, 400, 270},
+                        440, 132, 244, 120, 160,
+                        560, 252, 88, 88, {0, 96, 216, 312, 432}, {204, 420},
+                        {40, 976, 504, 72}, 244, 260, 244, 7.5};
+constexpr Numbers kCompact{1280, 800, 496, {24, 20, 376, 64}, 62, {24, 100, 376, 212}, {92, 100, 284, 186},
+                           324, 92, 182, 84, 116,
+                           412, 176, 72, 76, {0, 80, 176, 256, 352}, {0, 0},
+                           {24, 712, 376, 64}, 204, 216, 160, 5.5};
+
+class Placer {
+  public:
+    Placer(SizePx screen, Hand hand, double scale) : screen_(screen), hand_(hand), scale_(scale) {}
+    /// A block of the board, mirrored as a whole.
+    [[nodiscard]] Rect block(double x, double y, double width, double height) const {
+        const Rect r{round(x), round(y), round(width), round(height)};
+        return hand_ == Hand::Right ? r : Rect{screen_.width - r.x - r.width, r.y, r.width, r.height};
+    }
+    /// Something inside a block, at its offset from the block's corner.
+    [[nodiscard]] Rect inside(const Rect& block, double x, double y, double width, double height) const {
+        return {block.x + round(x), block.y + round(y), round(width), round(height)};
+    }
+    [[nodiscard]] double round(double design) const { return std::round(design * scale_); }
+
+  private:
+    SizePx screen_;
+    Hand hand_;
+    double scale_;
+};
+
+void place_cards(FindLayout& out, const Placer& at, const Numbers& n) {
+    out.cards[0] = at.block(n.best.x, n.best.y, n.best.width, n.best.height);
+    out.card_pictures[0] = at.inside(out.cards[0], n.best_picture.x - n.best.x, n.best_picture.y - n.best.y,
+                                     n.best_picture.width, n.best_picture.height);
+    const double columns = n.best.width - n.small_width;  // the right column ends with the best card
+    const Rect rail = at.block(n.best.x, n.small_y, n.best.width, 4 * n.small_pitch);
+    for (std::size_t i = 0; i < kCardCount - 1; ++i) {
+        const double row = static_cast<double>(i / 2);
+        const Rect card =
+            at.inside(rail, i % 2 == 0 ? 0 : columns, row * n.small_pitch, n.small_width, n.small_height);
+        out.cards[i + 1] = card;
+        out.card_pictures[i + 1] =
+            at.inside(card, n.small_width - n.small_picture, 1, n.small_picture - 1, n.small_height - 2);
+    }
+}
+
+void place_tools(FindLayout& out, const Placer& at, const Numbers& n, double down) {
+    for (std::size_t i = 0; i < kToolCount; ++i) {
+        out.tools[i] = at.block(n.tools_x, n.tools_y + n.tool_offsets[i] + down, n.tool_width, n.tool_height);
+    }
+    if (n.divider_offsets[0] <= 0) return;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double y = n.tools_y + n.divider_offsets[i] - 1 + down;
+        out.dividers[i] = at.block(n.tools_x + (n.tool_width - 40) / 2, y, 40, 2);
+    }
+}
+
+}  // namespace
+
+FindLayout find_layout(SizePx screen, Hand hand) {
+    FindLayout out;
+    out.screen = screen;
+    out.hand = hand;
+    out.compact = screen.width < 1920 || screen.height < 1080;
+    const Numbers& n = out.compact ? kCompact : kWide;
+    out.scale = std::min(screen.width / n.width, screen.height / n.height);
+    const Placer at(screen, hand, out.scale);
+    const double taller = std::max(0.0, screen.height / out.scale - n.height);  // the footer stays at the bottom
+
+    out.board = at.block(0, 0, n.board, 0);
+    out.board.height = screen.height;
+    out.sheet = {hand == Hand::Right ? out.board.right() : 0.0, 0, screen.width - out.board.width,
+                 static_cast<double>(screen.height)};
+    out.header = at.block(n.header.x, n.header.y, n.header.width, n.header.height);
+    out.wordmark_baseline = at.round(n.wordmark_baseline);
+    place_cards(out, at, n);
+    place_tools(out, at, n, taller / 2);
+    out.footer = at.block(n.footer.x, n.footer.y + taller, n.footer.width, n.footer.height);
+    out.language = at.inside(out.footer, 0, 0, n.language_width, n.footer.height);
+    out.hand_switch = at.inside(out.footer, n.hand_x, 0, n.hand_width, n.footer.height);
+    out.ink_width_px = n.ink_width * out.scale;
+    return out;
+}
+
+}  // namespace ui
