@@ -8,8 +8,8 @@
 
 namespace core {
 
-/// Writes an 8-bit RGBA PNG. The same pixels give the same bytes. ErrorCode::WriteFailed naming the file when the folder
-/// is missing or the disk refuses; ErrorCode::BadArgument for a picture without pixels or with too few of them.
+/// Writes an 8-bit RGBA PNG. The same pixels give the same bytes. ErrorCode::WriteFailed naming the file when the
+/// folder is missing or the disk refuses; ErrorCode::BadArgument for a picture without pixels or with too few of them.
 [[nodiscard]] Result<void> write_png(const std::filesystem::path& path, const RgbaImage& image);
 
 }  // namespace core

@@ -41,7 +41,7 @@ class CardPictures {
         std::size_t card;
     };
     ui::ModelPainter painter_;
-    std::map<std::uint64_t, ui::PictureId> ids_;       // by what the picture shows
+    std::map<std::uint64_t, ui::PictureId> ids_;  // by what the picture shows
     std::map<ui::PictureId, ui::Texture> textures_;
     std::shared_ptr<const PreparedAnswer> answer_;
     std::vector<ui::CardFace> faces_;

@@ -27,7 +27,8 @@ std::string line_of(const core::Drawing& drawing) {
         strokes += std::string(strokes.empty() ? "" : ",") + "[" +
                    list_of(stroke, [](const core::PenSample& s) { return s.x; }) + "," +
                    list_of(stroke, [](const core::PenSample& s) { return s.y; }) + "," +
-                   list_of(stroke, [](const core::PenSample& s) { return static_cast<double>(s.time_us) / 1000; }) + "]";
+                   list_of(stroke, [](const core::PenSample& s) { return static_cast<double>(s.time_us) / 1000; }) +
+                   "]";
     }
     return "{\"word\":\"\",\"drawing\":[" + strokes + "]}\n";
 }

@@ -16,7 +16,9 @@ constexpr std::int64_t kClearedOffer_us = 8'000'000;
 constexpr double kReplayMargin = 0.12;  // of the sheet's smaller side
 constexpr double kEraserReach_px = 12;  // of the design: half the ring
 
-ui::PictureId wash_id(std::size_t part) { return ui::PictureId{kFirstWash + static_cast<int>(part)}; }
+ui::PictureId wash_id(std::size_t part) {
+    return ui::PictureId{kFirstWash + static_cast<int>(part)};
+}
 
 /// Largest placement of the drawing on a sheet of that size that keeps the margin, centred.
 ui::InkFrame fit_drawing(const core::Drawing& drawing, double width, double height) {
@@ -78,7 +80,9 @@ FindMode::FindMode(const ui::FontSet& fonts, const std::vector<ui::Strings>& lan
     start_over_frame();
 }
 
-void FindMode::start_over_frame() { frame_ = {layout_.scale, 0, 0}; }
+void FindMode::start_over_frame() {
+    frame_ = {layout_.scale, 0, 0};
+}
 
 void FindMode::resize(ui::SizePx screen) {
     if (screen.width < 1 || screen.height < 1 || screen == layout_.screen) return;
@@ -89,8 +93,7 @@ void FindMode::relayout(ui::SizePx screen, ui::Hand hand) {
     const ui::FindLayout before = layout_;
     options_.hand = hand;
     layout_ = ui::find_layout(screen, hand);
-    const double ratio =
-        std::min(layout_.sheet.width / before.sheet.width, layout_.sheet.height / before.sheet.height);
+    const double ratio = std::min(layout_.sheet.width / before.sheet.width, layout_.sheet.height / before.sheet.height);
     frame_.offset_x = (frame_.offset_x - before.sheet.width / 2) * ratio + layout_.sheet.width / 2;
     frame_.offset_y = (frame_.offset_y - before.sheet.height / 2) * ratio + layout_.sheet.height / 2;
     frame_.scale *= ratio;
@@ -186,8 +189,12 @@ void FindMode::start_sheet_for(const core::Drawing& drawing) {
 
 void FindMode::act(const ui::Intent& intent, std::int64_t now_us) {
     switch (intent.control) {
-        case ui::Control::Pen: tool_ = ui::Tool::Pen; break;
-        case ui::Control::Eraser: tool_ = ui::Tool::Eraser; break;
+        case ui::Control::Pen:
+            tool_ = ui::Tool::Pen;
+            break;
+        case ui::Control::Eraser:
+            tool_ = ui::Tool::Eraser;
+            break;
         case ui::Control::UndoClear:
         case ui::Control::Undo:
             sketch_.undo();
@@ -205,11 +212,15 @@ void FindMode::act(const ui::Intent& intent, std::int64_t now_us) {
             cleared_us_ = now_us;
             sheet_changed(now_us);
             break;
-        case ui::Control::Language: options_.language = intent.item; break;
+        case ui::Control::Language:
+            options_.language = intent.item;
+            break;
         case ui::Control::HandSwitch:
             relayout(layout_.screen, options_.hand == ui::Hand::Right ? ui::Hand::Left : ui::Hand::Right);
             break;
-        case ui::Control::StartDrawing: notice_left_ = true; break;
+        case ui::Control::StartDrawing:
+            notice_left_ = true;
+            break;
     }
 }
 
@@ -342,7 +353,9 @@ ui::InkLayer::Ink FindMode::ink() const {
     return {sketch_.drawing().strokes, sketch_.open(), sketch_.epoch(), frame_, layout_.ink_width_px};
 }
 
-int FindMode::update_ink() { return ink_layer_.update(ink()); }
+int FindMode::update_ink() {
+    return ink_layer_.update(ink());
+}
 
 ui::FindState FindMode::state(std::int64_t now_us) const {
     ui::FindState s;
@@ -358,8 +371,10 @@ ui::FindState FindMode::state(std::int64_t now_us) const {
     s.cards = rail_.slots(now_us);
     for (std::size_t i = 0; i < wash_.size(); ++i) {
         const ui::Rect& r = wash_[i].in_sheet;
-        s.wash.push_back({wash_id(i), {r.x + layout_.sheet.x, r.y + layout_.sheet.y, r.width, r.height},
-                          wash_[i].colour, wash_opacity(i, now_us)});
+        s.wash.push_back({wash_id(i),
+                          {r.x + layout_.sheet.x, r.y + layout_.sheet.y, r.width, r.height},
+                          wash_[i].colour,
+                          wash_opacity(i, now_us)});
     }
     s.ink = kInkPicture;
     s.ink_rect = layout_.sheet;
@@ -382,10 +397,9 @@ std::vector<ui::BoardTouch::Target> FindMode::targets(std::int64_t now_us) const
 }
 
 void FindMode::draw(std::int64_t now_us, bool flip) {
-    const ui::DrawList list =
-        showing_notice()
-            ? notice_screen_.draw(options_.notice, options_.language, layout_, touch_.pressed(), touch_.pressed_item())
-            : screen_.draw(state(now_us), layout_);
+    const ui::DrawList list = showing_notice() ? notice_screen_.draw(options_.notice, options_.language, layout_,
+                                                                     touch_.pressed(), touch_.pressed_item())
+                                               : screen_.draw(state(now_us), layout_);
     painter_.paint(list, layout_.screen, flip);
 }
 

@@ -26,7 +26,8 @@ double ms_since(std::chrono::steady_clock::time_point start) {
 std::string file_part(const std::string& name) {
     std::string out;
     for (const char c : name) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_';
+        const bool plain =
+            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_';
         out += plain ? c : '-';
     }
     return out.substr(0, 80);
@@ -77,11 +78,18 @@ class Loop {
         using Kind = ui::WindowEvent::Kind;
         switch (event.kind) {
             case Kind::Close:
-            case Kind::Escape: ended_ = true; break;
-            case Kind::Resized: find_.resize(surface_.size()); break;
-            case Kind::FocusGained: break;  // the next frame is drawn whole, as every frame is
+            case Kind::Escape:
+                ended_ = true;
+                break;
+            case Kind::Resized:
+                find_.resize(surface_.size());
+                break;
+            case Kind::FocusGained:
+                break;  // the next frame is drawn whole, as every frame is
             case Kind::FocusLost:
-            case Kind::Cancel: find_.cancel_pointer(event.time_us); break;
+            case Kind::Cancel:
+                find_.cancel_pointer(event.time_us);
+                break;
             case Kind::Down:
             case Kind::Move:
             case Kind::Up:
@@ -120,8 +128,12 @@ class Loop {
                 next_mark_ = 0;
                 find_.start_sheet_for(replays_[event.drawing].drawing);
                 break;
-            case ReplayEvent::Kind::Down: find_.begin_stroke(event.sample, now_us); break;
-            case ReplayEvent::Kind::Move: find_.extend_stroke(event.sample); break;
+            case ReplayEvent::Kind::Down:
+                find_.begin_stroke(event.sample, now_us);
+                break;
+            case ReplayEvent::Kind::Move:
+                find_.extend_stroke(event.sample);
+                break;
             case ReplayEvent::Kind::Up:
                 find_.end_stroke(now_us);
                 if (options_.headless) find_.search_and_wait(now_us);
@@ -243,8 +255,8 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searc
     const auto language = std::find_if(languages->begin(), languages->end(),
                                        [&](const ui::Strings& s) { return s.code() == options.language; });
     if (language == languages->end()) {
-        return core::unexpected(core::ErrorCode::BadArgument, "there are no words in the language \"" +
-                                                                  options.language + "\"; use en, fr or de");
+        return core::unexpected(core::ErrorCode::BadArgument,
+                                "there are no words in the language \"" + options.language + "\"; use en, fr or de");
     }
     core::Result<ui::FontSet> fonts = ui::FontSet::load();
     if (!fonts) return core::unexpected(fonts.error());

@@ -25,28 +25,28 @@ struct KioskOptions {
     std::filesystem::path record;    ///< folder for what visitors draw, one Quick-Draw line a drawing
     std::string language = "en";     ///< code of a language file
     ui::Hand hand = ui::Hand::Right;
-    ui::Notice notice = ui::Notice::None;  ///< a calm screen to start with, when there is no collection
-    std::int64_t search_every_us = 80'000; ///< while the pen draws, in a window; headless searches after strokes
+    ui::Notice notice = ui::Notice::None;   ///< a calm screen to start with, when there is no collection
+    std::int64_t search_every_us = 80'000;  ///< while the pen draws, in a window; headless searches after strokes
 };
 
 /// What came of one replayed drawing.
 struct ReplayReport {
     std::string name;
-    std::vector<std::int64_t> ids;     ///< of the last ranking, best first, all that the searcher gave
-    std::vector<std::string> names;    ///< of the same models
-    std::string message_key;           ///< of the last answer
+    std::vector<std::int64_t> ids;   ///< of the last ranking, best first, all that the searcher gave
+    std::vector<std::string> names;  ///< of the same models
+    std::string message_key;         ///< of the last answer
     double silhouette_ms = 0, describe_ms = 0, search_ms = 0;  ///< of the last search
     int searches = 0;
-    std::string failure;               ///< what went wrong while searching; empty when all is well
+    std::string failure;  ///< what went wrong while searching; empty when all is well
     std::vector<std::filesystem::path> shots;
 };
 
 struct KioskReport {
     std::vector<ReplayReport> replays;
-    std::int64_t frames = 0;       ///< drawn
-    double median_frame_ms = 0;    ///< time to draw one, presenting left out
+    std::int64_t frames = 0;     ///< drawn
+    double median_frame_ms = 0;  ///< time to draw one, presenting left out
     double worst_frame_ms = 0;
-    std::string renderer;          ///< what draws, as GL names it
+    std::string renderer;  ///< what draws, as GL names it
 };
 
 /// Runs until the window is closed, Escape is pressed, or (headless or end_after_replays) the replays end.

@@ -9,7 +9,9 @@ namespace {
 constexpr std::int64_t kSteadyHand_us = 4'000'000;
 constexpr std::int64_t kLongestLift_us = 1'500'000;  // a visitor who thinks longer is not waited for
 
-core::Point at(const core::PenSample& s) { return {s.x, s.y}; }
+core::Point at(const core::PenSample& s) {
+    return {s.x, s.y};
+}
 
 double ink_length(const core::Drawing& drawing) {
     double total = 0;
@@ -56,7 +58,8 @@ ReplayPlayer::ReplayPlayer(const std::vector<NamedDrawing>& drawings, std::int64
                 clock_us += timed ? std::min(recorded, kLongestLift_us) : steady;
                 before_us = s.time_us;
                 first = false;
-                events_.push_back({clock_us, {i == 0 ? ReplayEvent::Kind::Down : ReplayEvent::Kind::Move, d, s, drawn / total}});
+                events_.push_back(
+                    {clock_us, {i == 0 ? ReplayEvent::Kind::Down : ReplayEvent::Kind::Move, d, s, drawn / total}});
             }
             events_.push_back({clock_us, {ReplayEvent::Kind::Up, d, {}, drawn / total}});
         }

@@ -19,9 +19,9 @@ struct NamedDrawing {
 struct ReplayEvent {
     enum class Kind { DrawingStarts, Down, Move, Up, DrawingEnds };
     Kind kind = Kind::Move;
-    std::size_t drawing = 0;      ///< index into the drawings
-    core::PenSample sample;       ///< of Down and Move
-    double ink_share = 0;         ///< of the drawing's line length drawn with this sample, 0 … 1
+    std::size_t drawing = 0;  ///< index into the drawings
+    core::PenSample sample;   ///< of Down and Move
+    double ink_share = 0;     ///< of the drawing's line length drawn with this sample, 0 … 1
 };
 
 class ReplayPlayer {

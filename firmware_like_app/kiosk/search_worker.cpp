@@ -14,7 +14,8 @@ constexpr int kBestMap_px = 256, kSmallMap_px = 144;
 
 std::vector<ui::PartRegion> regions_of(const FoundModel& model) {
     std::vector<ui::PartRegion> regions;
-    const bool any = std::any_of(model.parts.begin(), model.parts.end(), [](const FoundPart& p) { return p.colour >= 0; });
+    const bool any =
+        std::any_of(model.parts.begin(), model.parts.end(), [](const FoundPart& p) { return p.colour >= 0; });
     if (!any) return regions;
     for (const FoundPart& part : model.parts) regions.push_back({part.colour, part.on_view});
     return regions;

@@ -58,8 +58,8 @@ class SearchWorker {
     std::optional<PreparedAnswer> done_;
     std::uint64_t last_ticket_ = 0, done_ticket_ = 0, searches_ = 0;
     /// Of the models seen last, newest first; only the worker touches it.
-    std::list<std::pair<const core::TriangleMesh*, std::pair<std::shared_ptr<const core::TriangleMesh>,
-                                                             std::shared_ptr<const ui::ModelGeometry>>>>
+    std::list<std::pair<const core::TriangleMesh*,
+                        std::pair<std::shared_ptr<const core::TriangleMesh>, std::shared_ptr<const ui::ModelGeometry>>>>
         geometries_;
     std::jthread thread_;
 };

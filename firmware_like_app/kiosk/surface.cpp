@@ -30,9 +30,7 @@ class WindowSurface final : public Surface {
         if (rest > 0) std::this_thread::sleep_for(std::chrono::microseconds(std::min(rest, kFrame_us)));
         last_us_ = now_us();
     }
-    core::RgbaImage read_back() override {
-        return ui::read_window(size());
-    }
+    core::RgbaImage read_back() override { return ui::read_window(size()); }
 
   private:
     std::unique_ptr<ui::Window> window_;

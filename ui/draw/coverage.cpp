@@ -10,7 +10,9 @@ namespace {
 class Accumulator {
   public:
     Accumulator(int width, int height)
-        : width_(width), height_(height), cells_(static_cast<std::size_t>(width + 2) * static_cast<std::size_t>(height)) {}
+        : width_(width),
+          height_(height),
+          cells_(static_cast<std::size_t>(width + 2) * static_cast<std::size_t>(height)) {}
 
     void line(core::Point a, core::Point b) {
         if (a.y == b.y) return;

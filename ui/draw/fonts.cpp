@@ -122,7 +122,9 @@ core::Result<FontSet> FontSet::load(std::vector<std::string> folders) {
     return FontSet(std::move(impl));
 }
 
-bool FontSet::has_inter() const { return impl_->inter; }
+bool FontSet::has_inter() const {
+    return impl_->inter;
+}
 
 const ShapedText& FontSet::shape(const std::string& text, const TextStyle& style) const {
     auto& shaped = impl_->shaped;
@@ -130,8 +132,7 @@ const ShapedText& FontSet::shape(const std::string& text, const TextStyle& style
     if (const auto found = shaped.find(key); found != shaped.end()) return found->second;
     if (shaped.size() >= kRemembered) shaped.clear();
     ShapedText line;
-    const bool complete =
-        impl_->shape_with(impl_->of_face[static_cast<std::size_t>(style.face)], text, style, line);
+    const bool complete = impl_->shape_with(impl_->of_face[static_cast<std::size_t>(style.face)], text, style, line);
     if (!complete && impl_->fallback >= 0) {
         ShapedText other;
         if (impl_->shape_with(impl_->fallback, text, style, other)) line = std::move(other);

@@ -15,14 +15,14 @@ enum class Face { Regular, Medium, SemiBold, DisplaySemiBold };
 
 struct TextStyle {
     Face face = Face::Regular;
-    double size_px = 20;      ///< of the em square
-    double tracking_em = 0;   ///< added after every glyph, in ems; negative is tighter
+    double size_px = 20;     ///< of the em square
+    double tracking_em = 0;  ///< added after every glyph, in ems; negative is tighter
     friend bool operator==(const TextStyle&, const TextStyle&) = default;
 };
 
 /// One glyph of a shaped line; x from the start of the line, y from the baseline, y down.
 struct PlacedGlyph {
-    int font = 0;             ///< which of the set's fonts
+    int font = 0;  ///< which of the set's fonts
     std::uint32_t glyph = 0;
     double x = 0, y = 0;
 };
@@ -56,8 +56,7 @@ class FontSet {
     /// The text itself when it fits, else its longest beginning with an ellipsis that fits.
     [[nodiscard]] std::string cut(const std::string& text, const TextStyle& style, double width_px) const;
     /// Lines of whole words, each as wide as fits; a single longer word stands alone.
-    [[nodiscard]] std::vector<std::string> wrap(const std::string& text, const TextStyle& style,
-                                                double width_px) const;
+    [[nodiscard]] std::vector<std::string> wrap(const std::string& text, const TextStyle& style, double width_px) const;
     /// `phase` shifts the glyph right by quarters of a pixel, 0 … 3.
     [[nodiscard]] GlyphImage rasterise(int font, std::uint32_t glyph, double size_px, int phase) const;
     /// Whether letters come from Inter, not the fallback.

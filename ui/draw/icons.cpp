@@ -55,28 +55,51 @@ std::vector<Polyline> hand_strokes() {
     return {Path({12, 16}).to(12, 7.2).curve({12, 4.6}, {16, 4.6}, {16, 7.2}).to(16, 15),
             Path({16, 7}).to(16, 5.6).curve({16, 3}, {20, 3}, {20, 5.6}).to(20, 15),
             Path({20, 7.6}).curve({20, 5}, {24, 5}, {24, 7.6}).to(24, 16),
-            Path({24, 11}).curve({24, 8.4}, {28, 8.4}, {28, 11}).to(28, 19).curve({28, 26}, {24.5, 29}, {19.5, 29})
-                .to(17.5, 29).curve({13.5, 29}, {11.5, 27.5}, {9.5, 24.5}).to(4.8, 17.8)
-                .curve({3.2, 15.2}, {6.6, 12.8}, {8.6, 15.2}).to(12, 19.4).to(12, 12)};
+            Path({24, 11})
+                .curve({24, 8.4}, {28, 8.4}, {28, 11})
+                .to(28, 19)
+                .curve({28, 26}, {24.5, 29}, {19.5, 29})
+                .to(17.5, 29)
+                .curve({13.5, 29}, {11.5, 27.5}, {9.5, 24.5})
+                .to(4.8, 17.8)
+                .curve({3.2, 15.2}, {6.6, 12.8}, {8.6, 15.2})
+                .to(12, 19.4)
+                .to(12, 12)};
 }
 
 std::vector<Polyline> make(Icon icon) {
     switch (icon) {
         case Icon::Pen:
-            return {Path({5, 27}).to(6.6, 20.2).to(20.6, 6.2).round({22.4, 4.4}, {24.2, 6.2}).to(25.8, 7.8)
-                        .round({27.6, 9.6}, {25.8, 11.4}).to(11.8, 25.4).close(),
+            return {Path({5, 27})
+                        .to(6.6, 20.2)
+                        .to(20.6, 6.2)
+                        .round({22.4, 4.4}, {24.2, 6.2})
+                        .to(25.8, 7.8)
+                        .round({27.6, 9.6}, {25.8, 11.4})
+                        .to(11.8, 25.4)
+                        .close(),
                     Path({18, 8.8}).to(23.2, 14)};
         case Icon::Eraser:
-            return {Path({11.5, 27}).to(5.2, 20.6).round({3.4, 18.8}, {5.2, 17}).to(17.4, 4.8)
-                        .round({19.2, 3}, {21, 4.8}).to(27.2, 11).round({29, 12.8}, {27.2, 14.6}).to(14.8, 27).close(),
+            return {Path({11.5, 27})
+                        .to(5.2, 20.6)
+                        .round({3.4, 18.8}, {5.2, 17})
+                        .to(17.4, 4.8)
+                        .round({19.2, 3}, {21, 4.8})
+                        .to(27.2, 11)
+                        .round({29, 12.8}, {27.2, 14.6})
+                        .to(14.8, 27)
+                        .close(),
                     Path({11.3, 10.9}).to(21.1, 20.7), Path({11.5, 27}).to(27, 27)};
-        case Icon::Undo: return undo_strokes();
-        case Icon::Redo: return mirrored(undo_strokes());
+        case Icon::Undo:
+            return undo_strokes();
+        case Icon::Redo:
+            return mirrored(undo_strokes());
         case Icon::New:
             return {Path({6.5, 3.5}).to(19.5, 3.5).to(25.5, 9.5).to(25.5, 28.5).to(6.5, 28.5).close(),
                     Path({19.5, 3.5}).to(19.5, 9.5).to(25.5, 9.5), Path({16, 13.5}).to(16, 22.5),
                     Path({11.5, 18}).to(20.5, 18)};
-        case Icon::Hand: return hand_strokes();
+        case Icon::Hand:
+            return hand_strokes();
         case Icon::Collection:
             return {Path({16, 3}).to(28, 9.2).to(28, 22.2).to(16, 28.6).to(4, 22.2).to(4, 9.2).close(),
                     Path({4, 9.2}).to(16, 15.6).to(28, 9.2), Path({16, 15.6}).to(16, 28.6)};
@@ -97,9 +120,9 @@ double distance_to_segment(Point p, Point a, Point b) {
 }  // namespace
 
 const std::vector<Polyline>& icon_strokes(Icon icon) {
-    static const std::array<std::vector<Polyline>, 8> all{
-        make(Icon::Pen), make(Icon::Eraser), make(Icon::Undo),       make(Icon::Redo),
-        make(Icon::New), make(Icon::Hand),   make(Icon::Collection), make(Icon::Warning)};
+    static const std::array<std::vector<Polyline>, 8> all{make(Icon::Pen),        make(Icon::Eraser), make(Icon::Undo),
+                                                          make(Icon::Redo),       make(Icon::New),    make(Icon::Hand),
+                                                          make(Icon::Collection), make(Icon::Warning)};
     return all[static_cast<std::size_t>(icon)];
 }
 

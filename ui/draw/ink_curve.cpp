@@ -56,9 +56,9 @@ void append_ink_span(const std::vector<core::PenSample>& samples, std::size_t sp
         // a missing tangent is the one that bends least: towards the other end
         const core::Point straight = c - b;
         const core::Point tb = mb != core::Point{} ? mb : straight, tc = mc != core::Point{} ? mc : straight;
-        const core::Point to = i == pieces ? c
-                                           : b * (2 * t3 - 3 * t2 + 1) + tb * (t3 - 2 * t2 + t) +
-                                                 c * (3 * t2 - 2 * t3) + tc * (t3 - t2);
+        const core::Point to =
+            i == pieces ? c
+                        : b * (2 * t3 - 3 * t2 + 1) + tb * (t3 - 2 * t2 + t) + c * (3 * t2 - 2 * t3) + tc * (t3 - t2);
         const double r_to = rb + (rc - rb) * t;
         out.push_back(piece(from, to, r_from, r_to));
         from = to;

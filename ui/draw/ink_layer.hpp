@@ -17,8 +17,8 @@ class InkLayer {
     /// What the layer shows.
     struct Ink {
         const std::vector<core::Stroke>& strokes;
-        bool last_open = false;      ///< the pen still draws the last stroke
-        std::uint64_t epoch = 0;     ///< another number when anything but appending happened
+        bool last_open = false;   ///< the pen still draws the last stroke
+        std::uint64_t epoch = 0;  ///< another number when anything but appending happened
         InkFrame frame;
         double width_px = 7.5;
     };

@@ -12,10 +12,10 @@ namespace {
 
 using core::Vec3;
 
-constexpr double kCreaseCosine = 0.643;   // cosine of 50 degrees
-constexpr std::size_t kMostFaces = 48;    // round one corner; beyond that the face's own normal does
-constexpr double kBlendShare = 0.012;     // of the model's height, by the design
-constexpr double kContactShare = 0.035;   // of the model's height counts as standing on the ground
+constexpr double kCreaseCosine = 0.643;  // cosine of 50 degrees
+constexpr std::size_t kMostFaces = 48;   // round one corner; beyond that the face's own normal does
+constexpr double kBlendShare = 0.012;    // of the model's height, by the design
+constexpr double kContactShare = 0.035;  // of the model's height counts as standing on the ground
 constexpr int kContactCells = 64;
 
 struct PositionHash {
@@ -88,8 +88,8 @@ void find_contacts(CardModel& model) {
         if (!standing[static_cast<std::size_t>(k)]) continue;
         const int first = k;
         while (k + 1 < kContactCells && standing[static_cast<std::size_t>(k + 1)]) ++k;
-        model.contacts.push_back({model.left + first * width / kContactCells,
-                                  model.left + (k + 1) * width / kContactCells});
+        model.contacts.push_back(
+            {model.left + first * width / kContactCells, model.left + (k + 1) * width / kContactCells});
     }
 }
 

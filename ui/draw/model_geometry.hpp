@@ -25,8 +25,8 @@ struct ModelGeometry {
 struct CardModel {
     std::shared_ptr<const ModelGeometry> geometry;
     core::Camera camera;
-    bool mirrored = false;                  ///< shown flipped left-right
-    core::RgbaImage part_map;               ///< of bake_part_map; empty: all clay
+    bool mirrored = false;                              ///< shown flipped left-right
+    core::RgbaImage part_map;                           ///< of bake_part_map; empty: all clay
     double left = -1, right = 1, bottom = -1, top = 1;  ///< box in the image plane, before mirroring, y up
     /// Where the model stands: spans of the plane's x along its lowest line.
     std::vector<core::Point> contacts;

@@ -12,7 +12,9 @@ constexpr int kAtlasPx = 2048;
 void push(std::vector<float>& floats, std::initializer_list<double> values) {
     for (const double v : values) floats.push_back(static_cast<float>(v));
 }
-void push(std::vector<float>& floats, Colour c) { floats.insert(floats.end(), {c.r, c.g, c.b, c.a}); }
+void push(std::vector<float>& floats, Colour c) {
+    floats.insert(floats.end(), {c.r, c.g, c.b, c.a});
+}
 
 }  // namespace
 

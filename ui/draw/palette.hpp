@@ -28,8 +28,8 @@ inline constexpr Colour kBoard = Colour::hex(0xF4F0E7);
 inline constexpr Colour kWell = Colour::hex(0xEAE4D8);
 inline constexpr Colour kLine = Colour::hex(0xDDD5C6);
 inline constexpr Colour kClay = Colour::hex(0xD8CFBF);
-inline constexpr Colour kEdge = Colour::hex(0x3C3022, 0.07F);    ///< elevation 1
-inline constexpr Colour kShade = Colour::hex(0x3C3022, 0.10F);   ///< elevation 2
+inline constexpr Colour kEdge = Colour::hex(0x3C3022, 0.07F);   ///< elevation 1
+inline constexpr Colour kShade = Colour::hex(0x3C3022, 0.10F);  ///< elevation 2
 inline constexpr Colour kNone = {0, 0, 0, 0};
 
 inline constexpr int kPartCount = 8;

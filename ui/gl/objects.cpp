@@ -75,12 +75,24 @@ Program::~Program() {
     if (name_.get() != 0) glDeleteProgram(name_.get());
 }
 
-void Program::use() const { glUseProgram(name_.get()); }
-int Program::location(const char* uniform) const { return glGetUniformLocation(name_.get(), uniform); }
-void Program::set(const char* uniform, int value) const { glUniform1i(location(uniform), value); }
-void Program::set(const char* uniform, float x) const { glUniform1f(location(uniform), x); }
-void Program::set(const char* uniform, float x, float y) const { glUniform2f(location(uniform), x, y); }
-void Program::set(const char* uniform, float x, float y, float z) const { glUniform3f(location(uniform), x, y, z); }
+void Program::use() const {
+    glUseProgram(name_.get());
+}
+int Program::location(const char* uniform) const {
+    return glGetUniformLocation(name_.get(), uniform);
+}
+void Program::set(const char* uniform, int value) const {
+    glUniform1i(location(uniform), value);
+}
+void Program::set(const char* uniform, float x) const {
+    glUniform1f(location(uniform), x);
+}
+void Program::set(const char* uniform, float x, float y) const {
+    glUniform2f(location(uniform), x, y);
+}
+void Program::set(const char* uniform, float x, float y, float z) const {
+    glUniform3f(location(uniform), x, y, z);
+}
 void Program::set(const char* uniform, float x, float y, float z, float w) const {
     glUniform4f(location(uniform), x, y, z, w);
 }
@@ -254,7 +266,9 @@ void clear(float r, float g, float b, float a, bool depth) {
     glClear(depth ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT);
 }
 
-void finish() { glFinish(); }
+void finish() {
+    glFinish();
+}
 
 std::string renderer_name() {
     const GLubyte* name = glGetString(GL_RENDERER);

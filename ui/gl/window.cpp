@@ -79,25 +79,36 @@ class SdlWindow final : public Window {
             events.push_back({kind, 0, 0, 1, event_time_us(event.timestamp), false});
         };
         switch (event.event) {
-            case SDL_WINDOWEVENT_SIZE_CHANGED: push(WindowEvent::Kind::Resized); break;
-            case SDL_WINDOWEVENT_FOCUS_GAINED: push(WindowEvent::Kind::FocusGained); break;
+            case SDL_WINDOWEVENT_SIZE_CHANGED:
+                push(WindowEvent::Kind::Resized);
+                break;
+            case SDL_WINDOWEVENT_FOCUS_GAINED:
+                push(WindowEvent::Kind::FocusGained);
+                break;
             case SDL_WINDOWEVENT_FOCUS_LOST:
                 held_.reset();  // the lift may go to another window
                 push(WindowEvent::Kind::FocusLost);
                 break;
-            case SDL_WINDOWEVENT_CLOSE: push(WindowEvent::Kind::Close); break;
-            default: break;
+            case SDL_WINDOWEVENT_CLOSE:
+                push(WindowEvent::Kind::Close);
+                break;
+            default:
+                break;
         }
     }
 
     void translate(const SDL_Event& event, std::vector<WindowEvent>& events) {
         using Kind = WindowEvent::Kind;
         switch (event.type) {
-            case SDL_QUIT: events.push_back({Kind::Close, 0, 0, 1, now_us(), false}); break;
+            case SDL_QUIT:
+                events.push_back({Kind::Close, 0, 0, 1, now_us(), false});
+                break;
             case SDL_KEYDOWN:
                 if (event.key.keysym.sym == SDLK_ESCAPE) events.push_back({Kind::Escape, 0, 0, 1, now_us(), false});
                 break;
-            case SDL_WINDOWEVENT: window_event(events, event.window); break;
+            case SDL_WINDOWEVENT:
+                window_event(events, event.window);
+                break;
             case SDL_MOUSEBUTTONDOWN:
             case SDL_MOUSEBUTTONUP:
                 if (event.button.button == SDL_BUTTON_LEFT && event.button.which != SDL_TOUCH_MOUSEID) {
@@ -110,10 +121,17 @@ class SdlWindow final : public Window {
                     mouse(events, Kind::Move, event.motion.x, event.motion.y, event.motion.timestamp);
                 }
                 break;
-            case SDL_FINGERDOWN: finger(events, Kind::Down, event.tfinger); break;
-            case SDL_FINGERMOTION: finger(events, Kind::Move, event.tfinger); break;
-            case SDL_FINGERUP: finger(events, Kind::Up, event.tfinger); break;
-            default: break;
+            case SDL_FINGERDOWN:
+                finger(events, Kind::Down, event.tfinger);
+                break;
+            case SDL_FINGERMOTION:
+                finger(events, Kind::Move, event.tfinger);
+                break;
+            case SDL_FINGERUP:
+                finger(events, Kind::Up, event.tfinger);
+                break;
+            default:
+                break;
         }
     }
 

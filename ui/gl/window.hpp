@@ -16,8 +16,8 @@ struct WindowEvent {
     Kind kind = Kind::Move;
     double x = 0.0;
     double y = 0.0;
-    double pressure = 1.0;      ///< 0 … 1; 1 for the mouse and for fingers that report none
-    std::int64_t time_us = 0;   ///< when it happened, on the clock of Window::now_us()
+    double pressure = 1.0;     ///< 0 … 1; 1 for the mouse and for fingers that report none
+    std::int64_t time_us = 0;  ///< when it happened, on the clock of Window::now_us()
     bool finger = false;
 };
 

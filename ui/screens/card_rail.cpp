@@ -5,7 +5,9 @@
 
 namespace ui {
 
-void CardRail::set(std::vector<CardFace> ranking) { waiting_ = std::move(ranking); }
+void CardRail::set(std::vector<CardFace> ranking) {
+    waiting_ = std::move(ranking);
+}
 
 void CardRail::update(std::int64_t now_us) {
     if (waiting_ && now_us - changed_us_ >= kPause_us) apply(now_us, false);
@@ -49,9 +51,8 @@ std::array<CardSlot, kCardCount> CardRail::slots(std::int64_t now_us) const {
 }
 
 bool CardRail::moving(std::int64_t now_us) const {
-    return waiting_.has_value() || std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
-               return now_us - place.since_us < kFade_us;
-           });
+    return waiting_.has_value() || std::any_of(places_.begin(), places_.end(),
+                                               [&](const Place& place) { return now_us - place.since_us < kFade_us; });
 }
 
 bool CardRail::shows(PictureId picture) const {

@@ -17,8 +17,8 @@ inline constexpr std::size_t kCardCount = 9;  ///< the best, and 2 × 4 smaller 
 struct CardFace {
     std::int64_t model = 0;
     std::string name;
-    std::string caption;         ///< a quiet second line on the best card; may be empty
-    std::vector<int> tags;       ///< part colours, ascending
+    std::string caption;    ///< a quiet second line on the best card; may be empty
+    std::vector<int> tags;  ///< part colours, ascending
     PictureId picture{};
     friend bool operator==(const CardFace&, const CardFace&) = default;
 };

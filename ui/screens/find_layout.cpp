@@ -22,14 +22,52 @@ struct Numbers {
     double ink_width;
 };
 
-constexpr Numbers kWide{1920, 1080, 672, {40, 32, 504, 72}, 81, {40, 128, 504, 296}, {112, 124, 400, 270},
-                        440, 132, 244, 120, 160,
-                        560, 252, 88, 88, {0, 96, 216, 312, 432}, {204, 420},
-                        {40, 976, 504, 72}, 244, 260, 244, 7.5};
-constexpr Numbers kCompact{1280, 800, 496, {24, 20, 376, 64}, 62, {24, 100, 376, 212}, {92, 100, 284, 186},
-                           324, 92, 182, 84, 116,
-                           412, 176, 72, 76, {0, 80, 176, 256, 352}, {0, 0},
-                           {24, 712, 376, 64}, 204, 216, 160, 5.5};
+constexpr Numbers kWide{1920,
+                        1080,
+                        672,
+                        {40, 32, 504, 72},
+                        81,
+                        {40, 128, 504, 296},
+                        {112, 124, 400, 270},
+                        440,
+                        132,
+                        244,
+                        120,
+                        160,
+                        560,
+                        252,
+                        88,
+                        88,
+                        {0, 96, 216, 312, 432},
+                        {204, 420},
+                        {40, 976, 504, 72},
+                        244,
+                        260,
+                        244,
+                        7.5};
+constexpr Numbers kCompact{1280,
+                           800,
+                           496,
+                           {24, 20, 376, 64},
+                           62,
+                           {24, 100, 376, 212},
+                           {92, 100, 284, 186},
+                           324,
+                           92,
+                           182,
+                           84,
+                           116,
+                           412,
+                           176,
+                           72,
+                           76,
+                           {0, 80, 176, 256, 352},
+                           {0, 0},
+                           {24, 712, 376, 64},
+                           204,
+                           216,
+                           160,
+                           5.5};
 
 class Placer {
   public:
@@ -59,8 +97,7 @@ void place_cards(FindLayout& out, const Placer& at, const Numbers& n) {
     const Rect rail = at.block(n.best.x, n.small_y, n.best.width, 4 * n.small_pitch);
     for (std::size_t i = 0; i < kCardCount - 1; ++i) {
         const double row = static_cast<double>(i / 2);
-        const Rect card =
-            at.inside(rail, i % 2 == 0 ? 0 : columns, row * n.small_pitch, n.small_width, n.small_height);
+        const Rect card = at.inside(rail, i % 2 == 0 ? 0 : columns, row * n.small_pitch, n.small_width, n.small_height);
         out.cards[i + 1] = card;
         out.card_pictures[i + 1] =
             at.inside(card, n.small_width - n.small_picture, 1, n.small_picture - 1, n.small_height - 2);

@@ -20,12 +20,12 @@ struct FindLayout {
     double scale = 1;      ///< pixels per pixel of the design picture of this arrangement
     Rect board, sheet, header, footer;
     double wordmark_baseline = 0;
-    std::array<Rect, kCardCount> cards;          ///< the best one first, then row by row
+    std::array<Rect, kCardCount> cards;  ///< the best one first, then row by row
     std::array<Rect, kCardCount> card_pictures;
     std::array<Rect, kToolCount> tools;
     std::array<Rect, 2> dividers;  ///< after Eraser and after Redo; without size where there is none
     Rect language, hand_switch;
-    double ink_width_px = 7.5;     ///< at full pressure
+    double ink_width_px = 7.5;  ///< at full pressure
 
     /// A length of the design on this screen.
     [[nodiscard]] double px(double design) const { return design * scale; }

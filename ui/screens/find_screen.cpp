@@ -13,7 +13,9 @@ struct Type {
     TextStyle wordmark, best_name, caption, card_name, tool, tag, board_hint, sheet_title, sheet_text, switched, chosen;
 };
 
-TextStyle style(Face face, double px, double tracking = 0) { return {face, px, tracking}; }
+TextStyle style(Face face, double px, double tracking = 0) {
+    return {face, px, tracking};
+}
 
 Type type_of(const FindLayout& l) {
     const auto px = [&](double design) { return l.px(design); };
@@ -34,7 +36,9 @@ Type type_of(const FindLayout& l) {
 }
 
 /// Distance of the baseline below the middle that centres capitals and figures.
-double cap_drop(const TextStyle& s) { return s.size_px * 0.364; }
+double cap_drop(const TextStyle& s) {
+    return s.size_px * 0.364;
+}
 
 Rect scaled(const Rect& r, double by) {
     return {r.centre_x() - r.width * by / 2, r.centre_y() - r.height * by / 2, r.width * by, r.height * by};
@@ -115,7 +119,8 @@ class Drawer {
         TextStyle title = type_.sheet_title;
         const double wide = fonts_.width_px(words_["hint_title"], title);
         if (wide > width) title.size_px *= width / wide;  // one line, however long the language says it
-        list_.text(fonts_, words_["hint_title"], title, palette::kInk, cx, cy - l_.px(l_.compact ? 14 : 18), Align::Centre);
+        list_.text(fonts_, words_["hint_title"], title, palette::kInk, cx, cy - l_.px(l_.compact ? 14 : 18),
+                   Align::Centre);
         const double line = type_.sheet_text.size_px * 1.43;
         double y = cy + l_.px(l_.compact ? 28 : 39);
         for (const std::string& text : fonts_.wrap(words_["hint_text"], type_.sheet_text, width)) {
@@ -174,8 +179,8 @@ class Drawer {
         list_.text(fonts_, fonts_.cut(face.name, type_.best_name, width), type_.best_name, palette::kInk.faded(a), x,
                    r.y + l_.px(l_.compact ? 36 : 46));
         if (!l_.compact && !face.caption.empty()) {
-            list_.text(fonts_, fonts_.cut(face.caption, type_.caption, width), type_.caption, palette::kMuted.faded(a), x,
-                       r.y + l_.px(72));
+            list_.text(fonts_, fonts_.cut(face.caption, type_.caption, width), type_.caption, palette::kMuted.faded(a),
+                       x, r.y + l_.px(72));
         }
         const double d = l_.px(l_.compact ? 26 : 32), pitch = l_.px(l_.compact ? 31 : 40);
         double cx = r.x + l_.px(l_.compact ? 16 : 22) + d / 2;
@@ -205,7 +210,8 @@ class Drawer {
         TextStyle s = type_.tool;
         const double wide = fonts_.width_px(words_[word], s), room = r.width + l_.px(16);
         if (wide > room) s.size_px *= room / wide;
-        list_.text(fonts_, words_[word], s, text_colour, r.centre_x(), r.y + l_.px(l_.compact ? 64 : 71), Align::Centre);
+        list_.text(fonts_, words_[word], s, text_colour, r.centre_x(), r.y + l_.px(l_.compact ? 64 : 71),
+                   Align::Centre);
     }
 
   public:
@@ -312,7 +318,8 @@ void draw_footer(DrawList& list, const FontSet& fonts, const std::vector<Strings
     const Rect hand = down ? scaled(layout.hand_switch, 0.97) : layout.hand_switch;
     list.box(hand, hand.height / 2, down ? palette::kLine : palette::kWell);
     const double icon = layout.px(32);
-    list.icon(Icon::Hand, hand.x + layout.px(layout.compact ? 29 : 35), hand.centre_y(), icon, icon / 32 * 2.2, palette::kInk);
+    list.icon(Icon::Hand, hand.x + layout.px(layout.compact ? 29 : 35), hand.centre_y(), icon, icon / 32 * 2.2,
+              palette::kInk);
     const bool right = layout.hand == Hand::Right;
     const Strings& words = languages[language];
     const std::string& word = layout.compact ? words[right ? "hand_right_short" : "hand_left_short"]

@@ -17,9 +17,9 @@ enum class Tool { Pen, Eraser };
 /// One matched part on the sheet.
 struct WashPart {
     PictureId coverage{};
-    Rect rect;          ///< on the screen
-    int colour = 0;     ///< index into palette::kParts
-    double opacity = 1; ///< 0 … 1 of the wash
+    Rect rect;           ///< on the screen
+    int colour = 0;      ///< index into palette::kParts
+    double opacity = 1;  ///< 0 … 1 of the wash
 };
 
 /// What can be touched on the board.
@@ -36,7 +36,7 @@ struct FindState {
     std::array<CardSlot, kCardCount> cards;
     std::vector<WashPart> wash;  ///< in order of size
     PictureId ink{};
-    Rect ink_rect;               ///< where the ink picture lies
+    Rect ink_rect;  ///< where the ink picture lies
     std::vector<InkPiece> wet_ink;
     std::optional<core::Point> eraser_px;  ///< the ring, while erasing
     std::optional<Control> pressed;

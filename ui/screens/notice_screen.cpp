@@ -7,17 +7,24 @@ namespace {
 
 std::string prefix(Notice notice) {
     switch (notice) {
-        case Notice::CollectionMissing: return "missing";
-        case Notice::CollectionDamaged: return "damaged";
-        default: return "no_models";
+        case Notice::CollectionMissing:
+            return "missing";
+        case Notice::CollectionDamaged:
+            return "damaged";
+        default:
+            return "no_models";
     }
 }
 
-TextStyle button_style(const FindLayout& l) { return {Face::SemiBold, l.px(l.compact ? 20 : 24), 0}; }
+TextStyle button_style(const FindLayout& l) {
+    return {Face::SemiBold, l.px(l.compact ? 20 : 24), 0};
+}
 
 }  // namespace
 
-std::string board_key(Notice notice) { return notice == Notice::None ? "hint_board" : "no_collection_board"; }
+std::string board_key(Notice notice) {
+    return notice == Notice::None ? "hint_board" : "no_collection_board";
+}
 
 Rect NoticeScreen::button(std::size_t language, const FindLayout& l) const {
     const double text = fonts_->width_px((*languages_)[language]["start_drawing"], button_style(l));
