@@ -125,6 +125,8 @@ enum class Blend { Off, Over, Multiply, Maximum };  ///< Over expects premultipl
 void set_blend(Blend blend);
 void set_depth_test(bool on);
 void clear(float r, float g, float b, float a, bool depth = false);
+/// Limits drawing and clearing to the rectangle, counted from the target's first row; without size: no limit.
+void set_scissor(int x, int y, SizePx size);
 /// Waits until all drawing is done; for measuring.
 void finish();
 /// What draws, as the driver names it.
