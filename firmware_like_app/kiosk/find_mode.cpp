@@ -377,7 +377,7 @@ ui::FindState FindMode::state(std::int64_t now_us) const {
                           wash_opacity(i, now_us)});
     }
     s.ink = kInkPicture;
-    s.ink_rect = layout_.sheet;
+    s.inked = ink_layer_.inked();
     s.wet_ink = ui::InkLayer::wet_end(ink());
     for (ui::InkPiece& piece : s.wet_ink) {
         piece.x0 += static_cast<float>(layout_.sheet.x);

@@ -75,6 +75,8 @@ struct Box {
 }  // namespace
 
 Figure make_figure(std::string name, std::vector<Limb> limbs) {
+    std::stable_sort(limbs.begin(), limbs.end(),  // the nearer ones last: of overlapping parts the later one is seen
+                     [](const Limb& a, const Limb& b) { return a.from.z + a.to.z < b.from.z + b.to.z; });
     Figure figure{std::move(name), std::move(limbs), {}};
     for (const Limb& limb : figure.limbs) add_limb(figure.mesh, limb);
     Vec3 low = figure.mesh.vertices[0], high = low;

@@ -46,12 +46,14 @@ struct PictureCommand {
     Mode mode = Mode::Picture;
     Colour tint;
     double opacity = 1;
+    Rect source{0, 0, 1, 1};  ///< part of the picture that is shown, 0 … 1
 };
 
 /// Ink drawn straight to the screen: the wet end.
 struct InkCommand {
     std::vector<InkPiece> pieces;
     Colour colour;
+    Rect clip;
 };
 
 using DrawCommand = std::variant<BoxCommand, TextCommand, IconCommand, PictureCommand, InkCommand>;
@@ -75,16 +77,17 @@ class DrawList {
         commands.emplace_back(IconCommand{icon, centre_x, centre_y, size_px, line_px, colour});
     }
     void picture(PictureId id, const Rect& rect, double opacity = 1) {
-        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Picture, {}, opacity});
+        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Picture, {}, opacity, {0, 0, 1, 1}});
     }
-    void tinted(PictureId id, const Rect& rect, Colour tint) {
-        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Tint, tint, 1});
+    /// `source`: the part of the picture to show, 0 … 1.
+    void tinted(PictureId id, const Rect& rect, Colour tint, const Rect& source) {
+        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Tint, tint, 1, source});
     }
     void wash(PictureId id, const Rect& rect, Colour tint, double opacity) {
-        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Wash, tint, opacity});
+        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Wash, tint, opacity, {0, 0, 1, 1}});
     }
-    void ink(std::vector<InkPiece> pieces, Colour colour) {
-        commands.emplace_back(InkCommand{std::move(pieces), colour});
+    void ink(std::vector<InkPiece> pieces, Colour colour, const Rect& clip) {
+        commands.emplace_back(InkCommand{std::move(pieces), colour, clip});
     }
 
     std::vector<DrawCommand> commands;

@@ -1,5 +1,7 @@
 #include "ui/draw/ink_layer.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ui {
@@ -9,6 +11,24 @@ namespace {
 std::size_t settled_spans(const core::Stroke& stroke, bool open) {
     const std::size_t spans = ink_span_count(stroke.samples);
     return open && spans > 0 ? spans - 1 : spans;
+}
+
+/// The box grown by a piece, whole pixels, cut to the page.
+Rect joined(const Rect& box, const InkPiece& piece, SizePx page) {
+    const double r = std::max(piece.r0, piece.r1) + 1.0;
+    double left = std::floor(std::min(piece.x0, piece.x1) - r), right = std::ceil(std::max(piece.x0, piece.x1) + r);
+    double top = std::floor(std::min(piece.y0, piece.y1) - r), bottom = std::ceil(std::max(piece.y0, piece.y1) + r);
+    if (box.width > 0) {
+        left = std::min(left, box.x);
+        right = std::max(right, box.right());
+        top = std::min(top, box.y);
+        bottom = std::max(bottom, box.bottom());
+    }
+    left = std::clamp(left, 0.0, page.width + 0.0);
+    right = std::clamp(right, 0.0, page.width + 0.0);
+    top = std::clamp(top, 0.0, page.height + 0.0);
+    bottom = std::clamp(bottom, 0.0, page.height + 0.0);
+    return {left, top, right - left, bottom - top};
 }
 
 }  // namespace
@@ -37,6 +57,7 @@ int InkLayer::update(const Ink& ink) {
         frame_ = ink.frame;
         width_px_ = ink.width_px;
         stroke_ = span_ = 0;
+        inked_ = {};
     }
     std::vector<InkPiece> pieces;
     while (stroke_ < ink.strokes.size()) {
@@ -49,6 +70,7 @@ int InkLayer::update(const Ink& ink) {
         span_ = 0;
     }
     if (pieces.empty()) return 0;
+    for (const InkPiece& piece : pieces) inked_ = joined(inked_, piece, size());
     static_assert(sizeof(InkPiece) == 6 * sizeof(float));
     stream_.fill({&pieces.front().x0, pieces.size() * 6});
     program_.use();

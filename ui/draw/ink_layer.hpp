@@ -6,6 +6,7 @@
 
 #include "core/stroke/stroke.hpp"
 #include "ui/draw/ink_curve.hpp"
+#include "ui/draw/palette.hpp"
 #include "ui/gl/objects.hpp"
 
 namespace ui {
@@ -31,6 +32,8 @@ class InkLayer {
     /// The newest span of an open stroke, to be drawn over the layer in each frame. Constant size.
     [[nodiscard]] static std::vector<InkPiece> wet_end(const Ink& ink);
 
+    /// Box of all ink in the layer, in its pixels; without size when there is none.
+    [[nodiscard]] Rect inked() const { return inked_; }
     [[nodiscard]] const Texture& texture() const { return target_.texture(); }
     [[nodiscard]] core::RgbaImage read_back() const { return target_.read_back(); }
     /// A new, empty picture of that size; the next update draws everything.
@@ -48,6 +51,7 @@ class InkLayer {
     double width_px_ = 0;
     std::size_t stroke_ = 0;  // the next span to draw
     std::size_t span_ = 0;
+    Rect inked_;
 };
 
 }  // namespace ui

@@ -19,18 +19,19 @@ struct Fit {
     [[nodiscard]] double y(double plane_y) const { return plane_y * sy + oy; }
 };
 
-/// The largest that keeps the margin; the model stands at the bottom, centred.
-Fit fit_box(const CardModel& model, SizePx size, double margin) {
+/// The largest that keeps the margins, centred, and low down where there is room above.
+Fit fit_box(const CardModel& model, SizePx size, const ModelPictureOptions& options) {
     const double width = std::max(model.right - model.left, 1e-6), height = std::max(model.top - model.bottom, 1e-6);
-    const double scale = (1 - 2 * margin) * std::min(size.width / width, size.height / height);  // px a plane unit
-    const double mirror = model.mirrored ? -1.0 : 1.0;
+    const double room_x = (1 - 2 * options.margin) * size.width;
+    const double room_y = (1 - options.margin - options.ground_margin) * size.height;
+    const double scale = std::min(room_x / width, room_y / height);  // px a plane unit
     Fit fit;
-    fit.sx = mirror * scale * 2 / size.width;
+    fit.sx = (model.mirrored ? -1.0 : 1.0) * scale * 2 / size.width;
     fit.sy = -scale * 2 / size.height;
     fit.ox = -(model.left + model.right) / 2 * fit.sx;
-    const double free_above = (1 - margin) * 2 - height * scale * 2 / size.height;  // pictures are wide, models sit low
-    const double drop = std::max(0.0, free_above - 2 * margin) * 0.5;
-    fit.oy = 1 - 2 * margin - drop - model.bottom * fit.sy;
+    const double above = room_y - height * scale;  // wide models stand a little above the ground line, not in mid air
+    const double ground = size.height * (1 - options.ground_margin) - above * 0.35;
+    fit.oy = ground * 2 / size.height - 1 - model.bottom * fit.sy;
     return fit;
 }
 
@@ -99,7 +100,7 @@ Target ModelPainter::draw(const CardModel& model, const ModelPictureOptions& opt
     Target target(size, PixelFormat::Colour, Target::Depth::Multisampled);
     target.bind();
     clear(0, 0, 0, 0, true);
-    const Fit fit = fit_box(model, size, options.margin);
+    const Fit fit = fit_box(model, size, options);
 
     const std::vector<float> quads = shadow_quads(model, fit, size);
     if (!quads.empty()) {

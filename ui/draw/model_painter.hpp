@@ -7,9 +7,10 @@
 namespace ui {
 
 struct ModelPictureOptions {
-    SizePx size{400, 270};     ///< of the place on screen; the picture holds twice as many pixels each way
-    double margin = 0.05;      ///< of the picture, kept free on every side
-    bool own_colours = false;  ///< the mesh's colours instead of clay where no part colour lies
+    SizePx size{400, 270};        ///< of the place on screen; the picture holds twice as many pixels each way
+    double margin = 0.05;         ///< of the picture, kept free left, right and above
+    double ground_margin = 0.08;  ///< kept free below, where the shadow lies
+    bool own_colours = false;     ///< the mesh's colours instead of clay where no part colour lies
 };
 
 class ModelPainter {

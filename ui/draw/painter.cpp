@@ -89,7 +89,29 @@ void Painter::flush() {
     batch_ = Batch::None;
 }
 
+void Painter::limit_to(const Rect& rect) const {
+    const int left = static_cast<int>(std::lround(std::clamp(rect.x, 0.0, viewport_.width + 0.0)));
+    const int right = static_cast<int>(std::lround(std::clamp(rect.right(), 0.0, viewport_.width + 0.0)));
+    const int top = static_cast<int>(std::lround(std::clamp(rect.y, 0.0, viewport_.height + 0.0)));
+    const int bottom = static_cast<int>(std::lround(std::clamp(rect.bottom(), 0.0, viewport_.height + 0.0)));
+    const SizePx size{std::max(right - left, 1), std::max(bottom - top, 1)};
+    set_scissor(left, flip_ < 0 ? viewport_.height - bottom : top, size);
+}
+
+/// Large plain areas are cleared, which costs a fraction of drawing them pixel by pixel.
+bool Painter::fill_flat(const BoxCommand& box) {
+    const bool whole = box.rect.x == std::floor(box.rect.x) && box.rect.y == std::floor(box.rect.y) &&
+                       box.rect.width == std::floor(box.rect.width) && box.rect.height == std::floor(box.rect.height);
+    if (!whole || box.radius > 0 || box.softness > 0 || box.border_px > 0 || box.fill.a < 1) return false;
+    flush();
+    limit_to(box.rect);
+    clear(box.fill.r, box.fill.g, box.fill.b, 1);
+    set_scissor(0, 0, {});
+    return true;
+}
+
 void Painter::draw(const BoxCommand& box) {
+    if (fill_flat(box)) return;
     start(Batch::Boxes);
     push(floats_, {box.rect.x, box.rect.y, box.rect.width, box.rect.height, box.radius, box.border_px, box.softness});
     push(floats_, box.fill);
@@ -161,7 +183,8 @@ void Painter::draw(const PictureCommand& picture) {
     picture_program_.set("opacity", static_cast<float>(picture.opacity));
     set_blend(picture.mode == PictureCommand::Mode::Wash ? Blend::Multiply : Blend::Over);
     std::vector<float> quad;
-    push(quad, {picture.rect.x, picture.rect.y, picture.rect.width, picture.rect.height, 0, 0, 1, 1});
+    push(quad, {picture.rect.x, picture.rect.y, picture.rect.width, picture.rect.height, picture.source.x,
+                picture.source.y, picture.source.width, picture.source.height});
     picture_.fill(quad);
     picture_.draw_quads(1);
 }
@@ -172,8 +195,10 @@ void Painter::draw(const InkCommand& ink) {
     use(ink_program_);
     ink_program_.set("tint", ink.colour.r, ink.colour.g, ink.colour.b, ink.colour.a);
     set_blend(Blend::Over);
+    limit_to(ink.clip);
     ink_.fill({&ink.pieces.front().x0, ink.pieces.size() * 6});
     ink_.draw_quads(static_cast<int>(ink.pieces.size()));
+    set_scissor(0, 0, {});
 }
 
 }  // namespace ui

@@ -34,6 +34,8 @@ class Painter {
     void start(Batch batch);
     void flush();
     void use(const Program& program) const;
+    void limit_to(const Rect& rect) const;
+    bool fill_flat(const BoxCommand& box);
     const Slot& place(const SlotKey& key, const GlyphImage& image);
     void add_glyph(const Slot& slot, double x, double y, Colour colour);
 

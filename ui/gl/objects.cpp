@@ -266,6 +266,15 @@ void clear(float r, float g, float b, float a, bool depth) {
     glClear(depth ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT);
 }
 
+void set_scissor(int x, int y, SizePx size) {
+    if (size.width <= 0 || size.height <= 0) {
+        glDisable(GL_SCISSOR_TEST);
+        return;
+    }
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(x, y, size.width, size.height);
+}
+
 void finish() {
     glFinish();
 }

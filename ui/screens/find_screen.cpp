@@ -67,8 +67,14 @@ class Drawer {
             list_.wash(part.coverage, part.rect, c.faded(palette::kWashShare), part.opacity);
         }
         if (state_.sheet_empty) sheet_hint();
-        list_.tinted(state_.ink, state_.ink_rect, palette::kInk);
-        list_.ink(state_.wet_ink, palette::kInk);
+        const Rect& inked = state_.inked;
+        if (inked.width > 0 && inked.height > 0) {
+            list_.tinted(state_.ink, {inked.x + l_.sheet.x, inked.y + l_.sheet.y, inked.width, inked.height},
+                         palette::kInk,
+                         {inked.x / l_.sheet.width, inked.y / l_.sheet.height, inked.width / l_.sheet.width,
+                          inked.height / l_.sheet.height});
+        }
+        list_.ink(state_.wet_ink, palette::kInk, l_.sheet);
         if (state_.eraser_px) {
             const double d = l_.px(24);
             list_.box({state_.eraser_px->x - d / 2, state_.eraser_px->y - d / 2, d, d}, d / 2, kNone, palette::kInk,
@@ -76,18 +82,15 @@ class Drawer {
         }
     }
 
-    /// Over the sheet's edge, so that the shadow of the sheet falls on the board and ink ends at the board.
+    /// Under the sheet, whose shadow falls on it.
     void board() {
         list_.box(l_.board, 0, palette::kBoard);
         const bool right = l_.hand == Hand::Right;
         const double edge = right ? l_.board.right() : l_.board.x;
         const double reach = l_.px(32);
-        for (int i = 0; i < 8; ++i) {  // fades towards the board, drawn as thin steps inside it
-            const double width = reach * (8 - i) / 8;
-            const Rect strip{right ? edge - width : edge, 0, width, l_.board.height};
-            list_.box(strip, 0, Colour::hex(0x3C3022, 0.0085F));
-        }
-        list_.box({right ? edge - 1 : edge, 0, 1, l_.board.height}, 0, Colour::hex(0x3C3022, 0.09F));
+        const Rect border{right ? edge : edge - 2 * reach, -2 * reach, 2 * reach, l_.board.height + 4 * reach};
+        list_.shadow(border, 0, 0, reach, palette::kShade.faded(1.5F));
+        list_.box({right ? edge - 1 : edge, 0, 1, l_.board.height}, 0, palette::kEdge.faded(1.2F));
         draw_wordmark(list_, fonts_, l_);
     }
 
@@ -273,8 +276,8 @@ std::optional<Control> BoardTouch::pressed() const {
 DrawList FindScreen::draw(const FindState& state, const FindLayout& layout) const {
     DrawList list;
     Drawer drawer(list, *fonts_, (*languages_)[state.language], state, layout);
-    drawer.sheet();
     drawer.board();
+    drawer.sheet();
     drawer.cards();
     drawer.tools();
     draw_footer(list, *fonts_, *languages_, state.language, layout, state.pressed, state.pressed_item);

@@ -36,7 +36,7 @@ struct FindState {
     std::array<CardSlot, kCardCount> cards;
     std::vector<WashPart> wash;  ///< in order of size
     PictureId ink{};
-    Rect ink_rect;  ///< where the ink picture lies
+    Rect inked;  ///< box of all ink, pixels from the sheet's corner
     std::vector<InkPiece> wet_ink;
     std::optional<core::Point> eraser_px;  ///< the ring, while erasing
     std::optional<Control> pressed;
