@@ -378,6 +378,7 @@ ui::FindState FindMode::state(std::int64_t now_us) const {
     }
     s.ink = kInkPicture;
     s.inked = ink_layer_.inked();
+    s.ink_revision = sketch_.revision();
     s.wet_ink = ui::InkLayer::wet_end(ink());
     for (ui::InkPiece& piece : s.wet_ink) {
         piece.x0 += static_cast<float>(layout_.sheet.x);
@@ -396,10 +397,19 @@ std::vector<ui::BoardTouch::Target> FindMode::targets(std::int64_t now_us) const
     return screen_.targets(state(now_us), layout_);
 }
 
+FindMode::Shown FindMode::shown_at(std::int64_t now_us) const {
+    return {state(now_us), layout_.screen, options_.hand, showing_notice(), answer_ ? answer_->ticket : 0};
+}
+
+bool FindMode::changed(std::int64_t now_us) const {
+    return !shown_ || !(shown_at(now_us) == *shown_);
+}
+
 void FindMode::draw(std::int64_t now_us, bool flip) {
+    shown_ = shown_at(now_us);
     const ui::DrawList list = showing_notice() ? notice_screen_.draw(options_.notice, options_.language, layout_,
                                                                      touch_.pressed(), touch_.pressed_item())
-                                               : screen_.draw(state(now_us), layout_);
+                                               : screen_.draw(shown_->state, layout_);
     painter_.paint(list, layout_.screen, flip);
 }
 

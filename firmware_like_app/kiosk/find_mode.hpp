@@ -52,6 +52,8 @@ class FindMode {
     void search_and_wait(std::int64_t now_us);
     /// Ends all fades; with `resting` the wash is shown as when the pen rests.
     void settle(bool resting);
+    /// Whether the frame would differ from the one drawn last.
+    [[nodiscard]] bool changed(std::int64_t now_us) const;
     /// The frame into whatever is bound; `flip` for windows.
     void draw(std::int64_t now_us, bool flip);
     /// Draws new samples into the ink layer (before the frame is bound). Returns the number of pieces drawn.
@@ -123,6 +125,18 @@ class FindMode {
     std::uint64_t last_ticket_ = 0, last_ticket_revision_ = 0, submitted_revision_ = 0;
     std::int64_t submitted_us_ = -1'000'000'000;
     std::string search_failure_;
+
+    /// What the last frame showed.
+    struct Shown {
+        ui::FindState state;
+        ui::SizePx screen;
+        ui::Hand hand;
+        bool notice;
+        std::uint64_t answer_ticket;
+        friend bool operator==(const Shown&, const Shown&) = default;
+    };
+    [[nodiscard]] Shown shown_at(std::int64_t now_us) const;
+    std::optional<Shown> shown_;
 
     std::vector<Wash> wash_;
     bool wash_settled_ = false;

@@ -53,8 +53,11 @@ class Loop {
             replay();
             find_.update(surface_.now_us());
             find_.update_ink();
-            const bool drawn = surface_.shows_frames();
-            if (drawn) draw_frame();
+            const bool drawn = surface_.shows_frames() && (frame_due_ || find_.changed(surface_.now_us()));
+            if (drawn) {
+                draw_frame();
+                frame_due_ = false;
+            }
             surface_.next_frame(drawn);
             if (player_.ended() && (options_.headless || (options_.end_after_replays && !replays_.empty()))) break;
         }
@@ -83,9 +86,12 @@ class Loop {
                 break;
             case Kind::Resized:
                 find_.resize(surface_.size());
+                frame_due_ = true;
                 break;
+            case Kind::Exposed:
             case Kind::FocusGained:
-                break;  // the next frame is drawn whole, as every frame is
+                frame_due_ = true;  // what the screen shows may be gone
+                break;
             case Kind::FocusLost:
             case Kind::Cancel:
                 find_.cancel_pointer(event.time_us);
@@ -219,6 +225,7 @@ class Loop {
     std::size_t next_mark_ = 0;
     int shots_ = 0;
     bool ended_ = false;
+    bool frame_due_ = true;
     std::array<std::int64_t, 2000> frame_ms_{};  // how many frames took each quarter of a millisecond
 };
 

@@ -12,6 +12,7 @@ namespace ui {
 struct InkPiece {
     float x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     float r0 = 1, r1 = 1;
+    friend bool operator==(const InkPiece&, const InkPiece&) = default;
 };
 
 /// How the drawing lies on the picture: pixel = unit * scale + offset.

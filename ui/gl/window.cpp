@@ -82,6 +82,11 @@ class SdlWindow final : public Window {
             case SDL_WINDOWEVENT_SIZE_CHANGED:
                 push(WindowEvent::Kind::Resized);
                 break;
+            case SDL_WINDOWEVENT_EXPOSED:
+            case SDL_WINDOWEVENT_SHOWN:
+            case SDL_WINDOWEVENT_RESTORED:
+                push(WindowEvent::Kind::Exposed);
+                break;
             case SDL_WINDOWEVENT_FOCUS_GAINED:
                 push(WindowEvent::Kind::FocusGained);
                 break;

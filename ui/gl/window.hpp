@@ -12,7 +12,7 @@ namespace ui {
 
 /// What a mouse, a finger or the window manager did. Positions are in pixels of the drawable, y down.
 struct WindowEvent {
-    enum class Kind { Down, Move, Up, Cancel, Resized, FocusLost, FocusGained, Close, Escape };
+    enum class Kind { Down, Move, Up, Cancel, Resized, Exposed, FocusLost, FocusGained, Close, Escape };
     Kind kind = Kind::Move;
     double x = 0.0;
     double y = 0.0;

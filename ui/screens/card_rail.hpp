@@ -27,6 +27,7 @@ struct CardFace {
 struct CardSlot {
     std::optional<CardFace> now, before;
     double mix = 1;  ///< 0: all before, 1: all now
+    friend bool operator==(const CardSlot&, const CardSlot&) = default;
 };
 
 class CardRail {

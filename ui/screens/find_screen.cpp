@@ -21,7 +21,7 @@ Type type_of(const FindLayout& l) {
     const auto px = [&](double design) { return l.px(design); };
     const double c = l.compact ? 1 : 0;
     Type t;
-    t.wordmark = style(Face::DisplaySemiBold, px(36 - 5 * c), -0.03);
+    t.wordmark = style(Face::DisplaySemiBold, px(36 - 8 * c), -0.03);
     t.best_name = style(Face::SemiBold, px(28 - 7 * c), -0.02);
     t.caption = style(Face::Medium, px(17));
     t.card_name = style(Face::Medium, px(18 - 2 * c));

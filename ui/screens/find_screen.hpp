@@ -1,6 +1,7 @@
 #pragma once
 // The Find screen: board with cards and tools, sheet with wash and ink. State in, draw list and intents out.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct WashPart {
     Rect rect;           ///< on the screen
     int colour = 0;      ///< index into palette::kParts
     double opacity = 1;  ///< 0 … 1 of the wash
+    friend bool operator==(const WashPart&, const WashPart&) = default;
 };
 
 /// What can be touched on the board.
@@ -40,7 +42,9 @@ struct FindState {
     std::vector<InkPiece> wet_ink;
     std::optional<core::Point> eraser_px;  ///< the ring, while erasing
     std::optional<Control> pressed;
-    std::size_t pressed_item = 0;  ///< which language
+    std::size_t pressed_item = 0;    ///< which language
+    std::uint64_t ink_revision = 0;  ///< another number when the ink picture changed
+    friend bool operator==(const FindState&, const FindState&) = default;
 };
 
 /// What the visitor wants.
