@@ -56,7 +56,7 @@ std::uint64_t SearchWorker::searches() const {
 }
 
 void SearchWorker::work(const std::stop_token& stop) {
-    while (true) {
+    while (!stop.stop_requested()) {
         std::optional<Job> job;
         {
             std::unique_lock lock(mutex_);

@@ -7,6 +7,7 @@ namespace ui {
 namespace {
 
 constexpr double kCornerCosine = 0.342;  // cosine of 70 degrees
+constexpr double kStraightPx = 0.5;      // tangents this little off the chord bend it by less than a tenth of a pixel
 constexpr double kPiecePx = 4.0;         // longest chord of a bent span
 
 /// Tangent at b for the curve a, b, c with centripetal parameters, per unit of parameter; zero at a corner.
@@ -47,7 +48,8 @@ void append_ink_span(const std::vector<core::PenSample>& samples, std::size_t sp
     const double chord = core::distance(b, c), parameter = std::sqrt(chord);
     const core::Point mb = (span > 0 ? tangent(at(span - 1), b, c) : core::Point{}) * parameter;
     const core::Point mc = (span + 2 < samples.size() ? tangent(b, c, at(span + 2)) : core::Point{}) * parameter;
-    const bool bent = mb != core::Point{} || mc != core::Point{};
+    const double sideways = std::max(std::abs(core::cross(mb, c - b)), std::abs(core::cross(mc, c - b)));
+    const bool bent = sideways > kStraightPx * chord;
     const int pieces = bent ? std::clamp(static_cast<int>(std::ceil(chord / kPiecePx)), 1, 48) : 1;
     core::Point from = b;
     double r_from = rb;

@@ -1,0 +1,216 @@
+#include "firmware_like_app/kiosk/find_mode.hpp"
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
+
+#include "tests/support/figures.hpp"
+#include "ui/gl/headless_context.hpp"
+
+using namespace std::chrono_literals;
+using Kind = ui::WindowEvent::Kind;
+
+namespace {
+
+struct Kiosk {
+    std::unique_ptr<ui::Context> context = std::move(*ui::make_headless_context());
+    ui::FontSet fonts = *ui::FontSet::load();
+    std::vector<ui::Strings> languages = *ui::Strings::load_all();
+    std::unique_ptr<app::FindMode> find;
+    std::int64_t now_us = 1'000'000;
+
+    explicit Kiosk(app::Searcher* searcher, app::FindOptions options = {}) {
+        auto made = app::FindMode::create(fonts, languages, searcher, options, {1280, 800});
+        if (!made) FAIL(made.error().sentence());
+        find = std::move(*made);
+    }
+    void event(Kind kind, double x, double y) {
+        now_us += 8'000;
+        find->pointer({kind, x, y, 1.0, now_us, false});
+    }
+    void tap(const ui::Rect& r) {
+        event(Kind::Down, r.centre_x(), r.centre_y());
+        event(Kind::Up, r.centre_x(), r.centre_y());
+    }
+    void stroke(double x0, double y0, double x1, double y1) {
+        event(Kind::Down, x0, y0);
+        for (int i = 1; i <= 10; ++i) event(Kind::Move, x0 + (x1 - x0) * i / 10, y0 + (y1 - y0) * i / 10);
+        event(Kind::Up, x1, y1);
+    }
+    std::size_t strokes() const { return find->sketch().drawing().strokes.size(); }
+    const ui::FindLayout& layout() const { return find->layout(); }
+    ui::FindState state() const { return find->state(now_us); }
+};
+
+}  // namespace
+
+TEST_CASE("ink goes on while a slow search runs, and the newest drawing is found in the end", "[find mode]") {
+    test::FigureSearcher slow(test::make_animals(), 150ms);
+    Kiosk kiosk(&slow);
+    kiosk.stroke(700, 300, 1000, 310);
+    const auto start = std::chrono::steady_clock::now();
+    int pieces = 0;
+    for (int i = 0; i < 12; ++i) {
+        kiosk.stroke(700, 320 + i * 10, 1000, 330 + i * 10);
+        kiosk.find->update(kiosk.now_us);
+        pieces += kiosk.find->update_ink();
+    }
+    CHECK(pieces > 100);
+    CHECK(kiosk.find->searches() <= 2);  // the first may have ended meanwhile, the others are still to come
+    CHECK(std::chrono::steady_clock::now() - start < 5s);
+    kiosk.find->search_and_wait(kiosk.now_us);
+    REQUIRE(kiosk.find->answer() != nullptr);
+    CHECK(kiosk.find->searches() <= 4);  // thirteen strokes, but only the newest ones were searched
+}
+
+TEST_CASE("tools work by touch: eraser, undo, redo, new and taking back new", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    kiosk.stroke(700, 200, 1000, 200);
+    kiosk.stroke(700, 400, 1000, 400);
+    kiosk.tap(kiosk.layout().tools[1]);
+    kiosk.stroke(850, 180, 850, 230);
+    CHECK(kiosk.strokes() == 1);
+    kiosk.tap(kiosk.layout().tools[2]);
+    CHECK(kiosk.strokes() == 2);
+    kiosk.tap(kiosk.layout().tools[3]);
+    CHECK(kiosk.strokes() == 1);
+    kiosk.tap(kiosk.layout().tools[4]);
+    CHECK(kiosk.strokes() == 0);
+    CHECK(kiosk.state().sheet_cleared);
+    CHECK(kiosk.state().tool == ui::Tool::Pen);
+    kiosk.tap(kiosk.layout().tools[2]);
+    CHECK(kiosk.strokes() == 1);
+    CHECK_FALSE(kiosk.state().sheet_cleared);
+}
+
+TEST_CASE("undo leaves exactly the picture that was there before", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    const auto picture = [&] {
+        kiosk.find->update_ink();
+        ui::Target target({1280, 800}, ui::PixelFormat::Colour);
+        target.bind();
+        kiosk.find->draw(kiosk.now_us, false);
+        return target.read_back().pixels;
+    };
+    kiosk.stroke(700, 200, 1000, 260);
+    const auto before = picture();
+    kiosk.stroke(720, 180, 980, 400);
+    const auto after = picture();
+    CHECK(before != after);
+    kiosk.tap(kiosk.layout().tools[2]);
+    // the redo button is on now: compare the sheet alone
+    const auto sheet = [&](const std::vector<std::uint8_t>& pixels) {
+        std::vector<std::uint8_t> out;
+        for (std::size_t y = 0; y < 800; ++y) {
+            const auto row = pixels.begin() + static_cast<std::ptrdiff_t>((y * 1280 + 500) * 4);
+            out.insert(out.end(), row, row + 780 * 4);
+        }
+        return out;
+    };
+    CHECK(sheet(picture()) == sheet(before));
+    kiosk.tap(kiosk.layout().tools[3]);
+    CHECK(sheet(picture()) == sheet(after));
+}
+
+TEST_CASE("the hand switch mirrors the board and keeps the drawing", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    kiosk.stroke(700, 200, 1000, 200);
+    const double sheet_before = kiosk.layout().sheet.x;
+    kiosk.tap(kiosk.layout().hand_switch);
+    CHECK(kiosk.find->hand() == ui::Hand::Left);
+    CHECK(kiosk.layout().sheet.x == 0);
+    CHECK(sheet_before > 0);
+    CHECK(kiosk.strokes() == 1);
+    kiosk.stroke(100, 300, 300, 300);  // the sheet takes ink where it is now
+    CHECK(kiosk.strokes() == 2);
+}
+
+TEST_CASE("a resize keeps the drawing on the sheet", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    kiosk.stroke(700, 200, 1200, 700);
+    for (const ui::SizePx size : {ui::SizePx{1920, 1080}, ui::SizePx{800, 600}, ui::SizePx{1280, 800}}) {
+        kiosk.find->resize(size);
+        kiosk.find->update_ink();
+        const ui::FindState state = kiosk.state();
+        CHECK(state.inked.width > 10);
+        CHECK(state.inked.x >= 0);
+        CHECK(state.inked.right() <= kiosk.layout().sheet.width);
+        CHECK(state.inked.bottom() <= kiosk.layout().sheet.height);
+    }
+    kiosk.find->resize({0, 0});  // as minimised windows report
+    CHECK(kiosk.layout().screen == ui::SizePx{1280, 800});
+}
+
+TEST_CASE("the wash comes when the pen has rested and goes with the next tip", "[find mode]") {
+    test::FigureSearcher searcher(test::make_animals());
+    Kiosk kiosk(&searcher);
+    kiosk.stroke(700, 300, 1100, 310);
+    kiosk.stroke(1100, 310, 1100, 600);
+    kiosk.find->search_and_wait(kiosk.now_us);
+    kiosk.find->update(kiosk.now_us);
+    REQUIRE_FALSE(kiosk.state().wash.empty());
+    CHECK(kiosk.state().wash[0].opacity == 0);
+    kiosk.now_us += 700'000;
+    kiosk.find->update(kiosk.now_us);
+    kiosk.now_us += 600'000;
+    CHECK(kiosk.state().wash[0].opacity == 1);
+    kiosk.event(Kind::Down, 900, 500);
+    kiosk.now_us += 80'000;
+    kiosk.find->update(kiosk.now_us);
+    CHECK(kiosk.state().wash[0].opacity == 0);
+}
+
+TEST_CASE("results of a sheet that was emptied never come back", "[find mode]") {
+    test::FigureSearcher slow(test::make_animals(), 60ms);
+    Kiosk kiosk(&slow);
+    kiosk.stroke(700, 300, 1100, 310);
+    kiosk.tap(kiosk.layout().tools[4]);
+    for (int i = 0; i < 30; ++i) {
+        std::this_thread::sleep_for(10ms);
+        kiosk.now_us += 16'000;
+        kiosk.find->update(kiosk.now_us);
+    }
+    CHECK(kiosk.find->answer() == nullptr);
+    CHECK_FALSE(kiosk.state().cards[0].now.has_value());
+}
+
+TEST_CASE("losing the focus ends the stroke where it is", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    kiosk.event(Kind::Down, 700, 300);
+    kiosk.event(Kind::Move, 800, 300);
+    kiosk.find->cancel_pointer(kiosk.now_us);
+    CHECK_FALSE(kiosk.find->sketch().open());
+    kiosk.event(Kind::Move, 900, 300);
+    CHECK(kiosk.find->sketch().drawing().strokes[0].samples.size() == 2);
+}
+
+TEST_CASE("a frame is only due when something changed", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    ui::Target target({1280, 800}, ui::PixelFormat::Colour);
+    const auto draw = [&] {
+        kiosk.find->update_ink();
+        target.bind();
+        kiosk.find->draw(kiosk.now_us, false);
+    };
+    CHECK(kiosk.find->changed(kiosk.now_us));
+    draw();
+    kiosk.event(Kind::Move, 900, 300);
+    CHECK_FALSE(kiosk.find->changed(kiosk.now_us));
+    kiosk.stroke(700, 300, 900, 300);
+    CHECK(kiosk.find->changed(kiosk.now_us));
+    draw();
+    CHECK_FALSE(kiosk.find->changed(kiosk.now_us));
+}
+
+TEST_CASE("a notice covers the sheet until the visitor starts drawing", "[find mode]") {
+    app::FindOptions options;
+    options.notice = ui::Notice::NoModels;
+    Kiosk kiosk(nullptr, options);
+    kiosk.stroke(900, 200, 1000, 250);
+    CHECK(kiosk.strokes() == 0);
+    CHECK(kiosk.find->showing_notice());
+    kiosk.tap({560, 510, 160, 68});
+    CHECK_FALSE(kiosk.find->showing_notice());
+    kiosk.stroke(900, 200, 1000, 250);
+    CHECK(kiosk.strokes() == 1);
+}

@@ -1,0 +1,113 @@
+#include "firmware_like_app/kiosk/search_worker.hpp"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "tests/support/figures.hpp"
+
+using namespace std::chrono_literals;
+
+namespace {
+
+core::Drawing drawing_of(int strokes) {
+    core::Drawing drawing;
+    for (int i = 0; i < strokes; ++i) drawing.strokes.push_back({{{0, 0, i * 10.0, 1}, {1, 200, i * 10.0, 1}}});
+    return drawing;
+}
+
+/// Notes how many strokes each search saw; takes its time until told to go on.
+class SlowSearcher : public app::Searcher {
+  public:
+    app::SearchAnswer search(const core::Drawing& drawing, std::stop_token stop) override {
+        {
+            const std::scoped_lock lock(mutex_);
+            seen_.push_back(drawing.strokes.size());
+        }
+        started_.store(true);
+        while (!go_on_.load() && !stop.stop_requested()) std::this_thread::sleep_for(1ms);
+        app::SearchAnswer answer;
+        answer.search_ms = static_cast<double>(drawing.strokes.size());
+        return answer;
+    }
+    void wait_until_started() const {
+        while (!started_.load()) std::this_thread::sleep_for(1ms);
+    }
+    void let_go() { go_on_.store(true); }
+    std::vector<std::size_t> seen() {
+        const std::scoped_lock lock(mutex_);
+        return seen_;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::vector<std::size_t> seen_;
+    std::atomic<bool> started_ = false, go_on_ = false;
+};
+
+class ThrowingSearcher : public app::Searcher {
+  public:
+    app::SearchAnswer search(const core::Drawing& /*drawing*/, std::stop_token /*stop*/) override {
+        throw std::runtime_error("the index went away");
+    }
+};
+
+}  // namespace
+
+TEST_CASE("the newest drawing wins and submitting never waits", "[worker]") {
+    SlowSearcher searcher;
+    app::SearchWorker worker(searcher);
+    worker.submit(drawing_of(1));
+    searcher.wait_until_started();
+    std::uint64_t last = 0;
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 2; i <= 100; ++i) last = worker.submit(drawing_of(i));  // the pen goes on while the search runs
+    CHECK(std::chrono::steady_clock::now() - start < 1s);
+    CHECK_FALSE(worker.take());
+    searcher.let_go();
+    const auto answer = worker.wait_for(last);
+    REQUIRE(answer);
+    CHECK(answer->ticket == last);
+    CHECK(answer->answer.search_ms == 100);
+    CHECK(searcher.seen() == std::vector<std::size_t>{1, 100});  // those between were never searched
+    CHECK(worker.searches() == 2);
+}
+
+TEST_CASE("ending asks a running search to stop", "[worker]") {
+    SlowSearcher searcher;
+    const auto start = std::chrono::steady_clock::now();
+    {
+        app::SearchWorker worker(searcher);
+        worker.submit(drawing_of(1));
+        searcher.wait_until_started();
+        worker.submit(drawing_of(2));
+    }
+    CHECK(std::chrono::steady_clock::now() - start < 2s);
+    CHECK(searcher.seen().size() == 1);
+}
+
+TEST_CASE("a searcher that fails is reported and the worker goes on", "[worker]") {
+    ThrowingSearcher searcher;
+    app::SearchWorker worker(searcher);
+    for (int i = 1; i <= 3; ++i) {
+        const auto answer = worker.wait_for(worker.submit(drawing_of(i)));
+        REQUIRE(answer);
+        CHECK(answer->failure == "the index went away");
+        CHECK(answer->cards.empty());
+    }
+}
+
+TEST_CASE("answers come with cards that are ready to paint", "[worker]") {
+    test::FigureSearcher searcher(test::make_animals());
+    app::SearchWorker worker(searcher);
+    const auto answer = worker.wait_for(worker.submit(test::make_horse_drawing()));
+    REQUIRE(answer);
+    REQUIRE(answer->cards.size() == 9);
+    for (std::size_t i = 0; i < 9; ++i) {
+        CHECK(answer->cards[i]->geometry->corner_count() > 1000);
+        const bool matched = answer->answer.best[i].name != "badger";
+        CHECK((answer->cards[i]->part_map.width > 0) == matched);
+    }
+}
