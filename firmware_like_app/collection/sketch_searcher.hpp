@@ -1,0 +1,35 @@
+#pragma once
+// What the kiosk finds: a drawing's best models, with the regions of matched parts on the drawing and in the model's view.
+
+#include <list>
+#include <memory>
+
+#include "db/stores/two_view_index.hpp"
+#include "firmware_like_app/collection/collection.hpp"
+#include "firmware_like_app/kiosk/searcher.hpp"
+
+namespace app {
+
+class SketchSearcher : public Searcher {
+  public:
+    /// Opens the index a second time for display meshes, which are read when a model is shown first and then kept, the last
+    /// few dozen of them. Errors of Collection::load.
+    [[nodiscard]] static core::Result<std::unique_ptr<SketchSearcher>> open(const std::string& database, int jobs,
+                                                                            int best_count);
+
+    SearchAnswer search(const core::Drawing& drawing, std::stop_token stop) override;
+    [[nodiscard]] const Collection& collection() const { return collection_; }
+
+  private:
+    SketchSearcher(Collection collection, db::TwoViewIndex index, int jobs, int best_count);
+    std::shared_ptr<const core::TriangleMesh> mesh_of(std::int64_t id);
+
+    Collection collection_;
+    db::TwoViewIndex index_;
+    int jobs_;
+    int best_count_;
+    core::Matcher matcher_;
+    std::list<std::pair<std::int64_t, std::shared_ptr<const core::TriangleMesh>>> meshes_;  // newest first
+};
+
+}  // namespace app

@@ -1,0 +1,145 @@
+// croquis kiosk: the screen.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "core/base/parallel.hpp"
+#include "core/exchange/sketch_reader.hpp"
+#include "firmware_like_app/collection/sketch_searcher.hpp"
+#include "firmware_like_app/commands/commands.hpp"
+#include "firmware_like_app/kiosk/kiosk.hpp"
+
+namespace app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct KioskCommandOptions {
+    std::string database, size, shots, record, language = "en";
+    std::vector<std::string> replays;
+    bool windowed = false, headless = false, left_handed = false, json = false;
+    int jobs = core::core_count();
+};
+
+/// "1920x1080"
+std::optional<ui::SizePx> parse_size(const std::string& text) {
+    int width = 0, height = 0;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2) return std::nullopt;
+    if (width < 320 || height < 240 || width > 8192 || height > 8192) return std::nullopt;
+    return ui::SizePx{width, height};
+}
+
+/// Drawings only: a picture has no strokes to replay.
+core::Result<std::vector<NamedDrawing>> read_replays(const std::vector<std::string>& files) {
+    std::vector<NamedDrawing> drawings;
+    for (const std::string& file : files) {
+        core::Result<core::Sketch> sketch = core::read_sketch(file);
+        if (!sketch) return core::unexpected(sketch.error());
+        if (!sketch->drawing) {
+            return core::unexpected(core::ErrorCode::UnknownFormat,
+                                    "a picture has no strokes to replay; give an SVG, InkML, Quick-Draw line or stroke list", file);
+        }
+        drawings.push_back({file, std::move(*sketch->drawing)});
+    }
+    return drawings;
+}
+
+/// A missing or damaged index is no reason not to open: the sheet works, and a calm screen says what is missing.
+std::unique_ptr<SketchSearcher> open_collection(const KioskCommandOptions& options, KioskOptions& kiosk) {
+    constexpr int kBest = 20;
+    if (options.database.empty()) {
+        kiosk.notice = ui::Notice::NoModels;
+        return nullptr;
+    }
+    core::Result<std::unique_ptr<SketchSearcher>> searcher = SketchSearcher::open(options.database, options.jobs, kBest);
+    if (!searcher) {
+        std::fprintf(stderr, "croquis: %s\n", searcher.error().sentence().c_str());
+        kiosk.notice = searcher.error().code == core::ErrorCode::FileMissing ? ui::Notice::CollectionMissing : ui::Notice::CollectionDamaged;
+        return nullptr;
+    }
+    for (const db::Damage& d : (*searcher)->collection().damaged()) std::fprintf(stderr, "croquis: %s\n", d.sentence().c_str());
+    if ((*searcher)->collection().models().empty()) {
+        kiosk.notice = ui::Notice::NoModels;
+        return nullptr;
+    }
+    return std::move(*searcher);
+}
+
+void print_report(const KioskReport& report, bool as_json) {
+    ordered_json replays = ordered_json::array();
+    for (const ReplayReport& r : report.replays) {
+        if (!as_json) {
+            std::printf("%s:", r.name.c_str());
+            for (std::size_t k = 0; k < std::min<std::size_t>(r.names.size(), 5); ++k) {
+                std::printf("%s %s", k == 0 ? "" : ",", r.names[k].c_str());
+            }
+            std::printf("%s\n", r.names.empty() ? (" " + (r.failure.empty() ? r.message_key : r.failure)).c_str() : "");
+            for (const auto& shot : r.shots) std::printf("  %s\n", shot.string().c_str());
+            continue;
+        }
+        ordered_json shots = ordered_json::array();
+        for (const auto& shot : r.shots) shots.push_back(shot.string());
+        replays.push_back({{"drawing", r.name}, {"ids", r.ids}, {"models", r.names}, {"message", r.message_key},
+                           {"failure", r.failure}, {"searches", r.searches}, {"shots", shots},
+                           {"ms", {{"silhouette", r.silhouette_ms}, {"describe", r.describe_ms}, {"search", r.search_ms}}}});
+    }
+    if (!as_json) return;
+    const ordered_json out{{"replays", replays}, {"frames", report.frames}, {"renderer", report.renderer},
+                           {"frame_ms", {{"median", report.median_frame_ms}, {"worst", report.worst_frame_ms}}}};
+    std::printf("%s\n", out.dump().c_str());
+}
+
+void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) {
+    KioskOptions kiosk;
+    if (!options.size.empty()) {
+        kiosk.size = parse_size(options.size);
+        if (!kiosk.size) {
+            std::fprintf(stderr, "croquis: --size %s: give WIDTHxHEIGHT from 320x240 to 8192x8192\n", options.size.c_str());
+            state.exit_code = 2;
+            return;
+        }
+    }
+    kiosk.windowed = options.windowed;
+    kiosk.headless = options.headless;
+    kiosk.end_after_replays = !options.replays.empty();
+    kiosk.shots = options.shots;
+    kiosk.record = options.record;
+    kiosk.language = options.language;
+    if (options.left_handed) kiosk.hand = ui::Hand::Left;
+    core::Result<std::vector<NamedDrawing>> replays = read_replays(options.replays);
+    if (!replays) return fail(state, replays.error());
+    const std::unique_ptr<SketchSearcher> searcher = open_collection(options, kiosk);
+    const core::Result<KioskReport> report = run_kiosk(kiosk, searcher.get(), std::move(*replays));
+    if (!report) return fail(state, report.error());
+    print_report(*report, options.json);
+    for (const ReplayReport& r : report->replays) {
+        if (r.failure.empty()) continue;
+        std::fprintf(stderr, "croquis: %s: %s\n", r.name.c_str(), r.failure.c_str());
+        state.exit_code = 1;
+    }
+}
+
+}  // namespace
+
+void add_kiosk_command(CLI::App& cli, CommandState& state) {
+    auto options = std::make_shared<KioskCommandOptions>();
+    CLI::App* command = cli.add_subcommand("kiosk", "The full-screen kiosk");
+    command->add_option("--db", options->database, "the index to search");
+    command->add_option("--size", options->size, "WIDTHxHEIGHT");
+    command->add_flag("--windowed", options->windowed, "a framed window instead of the full screen");
+    command->add_flag("--headless", options->headless, "render without a screen; ends when the replays do");
+    command->add_option("--replay", options->replays, "recorded drawings: SVG, InkML, Quick-Draw lines, stroke lists");
+    command->add_option("--record", options->record, "folder for what visitors draw");
+    command->add_option("--shots", options->shots, "folder for numbered pictures");
+    command->add_option("--language", options->language, "en, fr or de");
+    command->add_option("--jobs", options->jobs, "search threads")->check(CLI::PositiveNumber);
+    command->add_flag("--left", options->left_handed, "controls for a left-handed visitor");
+    command->add_flag("--json", options->json, "one JSON object on standard output");
+    command->callback([options, &state] { run_kiosk_command(*options, state); });
+}
+
+}  // namespace app
