@@ -1,9 +1,11 @@
 #include "firmware_like_app/collection/model_views.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
 #include "core/match/match.hpp"
+#include "core/mesh/compact.hpp"
 #include "core/mesh/normalise.hpp"
 #include "core/mesh/simplify.hpp"
 #include "core/silhouette/contour.hpp"
@@ -72,7 +74,10 @@ core::Result<void> describe_model(const core::TriangleMesh& mesh, const ViewPara
     record.views = {described.at(chosen->first), described.at(chosen->second)};
     core::Result<core::TriangleMesh> display = core::simplified_mesh(*normal, parameters.display_triangles);
     if (!display) return core::unexpected(display.error());
-    record.display_mesh = std::move(*display);
+    record.display_mesh = core::without_unused_vertices(*display);
+    for (core::Vec3& v : record.display_mesh.vertices) {  // where a merged vertex lies a little outside its faces
+        v = {std::clamp(v.x, -1.0, 1.0), std::clamp(v.y, -1.0, 1.0), std::clamp(v.z, -1.0, 1.0)};
+    }
     return {};
 }
 
