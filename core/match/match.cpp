@@ -3,233 +3,277 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <tuple>
 
 namespace core {
 
-void Matcher::fill_node_distances(const PartRing& a, const PartRing& b, std::vector<float>& out) const {
-    out.resize(a.parts.size() * b.parts.size());
-    for (std::size_t i = 0; i < a.parts.size(); ++i) {
-        for (std::size_t j = 0; j < b.parts.size(); ++j) {
-            out[i * b.parts.size() + j] = core::node_distance(a.parts[i], b.parts[j]);
-        }
-    }
-}
-
 namespace {
 
-/// Bounds are compared with this share of slack, so that rounding never cuts off the best match.
-constexpr float kRounding = 1e-5F;
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
 
 float inter_cost(const InterDistance& a, const InterDistance& b) {
     const float e = a.d_e - b.d_e, be = a.d_be - b.d_be, angle = a.d_a - b.d_a;
     return e * e + be * be + angle * angle;
 }
 
+Lanes square_root(Lanes v) {
+    for (std::size_t i = 0; i < kLanes; ++i) v[i] = std::sqrt(v[i]);
+    return v;
+}
+
+/// Root of the weighted feature differences of one part and four.
+Lanes feature_distances(const RingPart& x, const PartGroup& y) {
+    Lanes sum{};
+    for (std::size_t k = 0; k < kFeatureCount; ++k) {
+        const Lanes d = x.weighted[k] - y.weighted[k].v;
+        sum += d * d;
+    }
+    return square_root(sum);
+}
+
+/// Squared distance of the signature of one part and those of four, read as they are or from their ends.
+template <bool kReversed>
+Lanes signature_distances(const RingPart& x, const PartGroup& y) {
+    Lanes sum{};
+    for (std::size_t k = 0; k < kSignatureSize; ++k) {
+        const Lanes d = x.signature[k] - y.signature[kReversed ? kSignatureSize - 1 - k : k].v;
+        sum += d * d;
+    }
+    return sum;
+}
+
+/// A fixed order of the two shapes, so that sums are built in the same way for (A, B) and (B, A). The one with fewer
+/// parts comes first: the second fills the lanes.
+bool in_order(const PartRing& a, const PartRing& b) {
+    const auto sizes = [](const PartRing& r) { return std::tuple(r.parts.size(), r.terminal_count, r.norms); };
+    if (sizes(a) != sizes(b)) return sizes(a) < sizes(b);
+    const auto content = [](const RingPart& p) { return std::tie(p.first, p.count, p.weighted, p.signature); };
+    for (std::size_t i = 0; i < a.parts.size(); ++i) {
+        if (content(a.parts[i]) != content(b.parts[i])) return content(a.parts[i]) < content(b.parts[i]);
+    }
+    const auto inter = [](const InterDistance& d) { return std::tie(d.d_e, d.d_be, d.d_a); };
+    return !std::lexicographical_compare(b.inter.begin(), b.inter.end(), a.inter.begin(), a.inter.end(),
+                                         [&](const auto& p, const auto& q) { return inter(p) < inter(q); });
+}
+
 }  // namespace
 
-/// head_bound_[i, j]: the least gain that pairs ending before position i of A and j of B can have if inter-distances cost
-/// nothing, so never above the true one. Returns the bound of the whole configuration.
-float Matcher::fill_heads(const PartRing& a, const PartRing& b, const Configuration& c) {
-    const OpenedRing& oa = a.opened[static_cast<std::size_t>(c.open_a)];
-    const OpenedRing& ob = b.opened[static_cast<std::size_t>(c.open_b)];
-    const std::vector<float>& nodes = c.reversed ? node_distance_reversed_ : node_distance_;
-    const auto n = static_cast<std::size_t>(a.terminal_count), m = static_cast<std::size_t>(b.terminal_count);
-    const std::size_t row = m + 1;
-    head_bound_.assign((n + 1) * row, 0.0F);
-    for (std::size_t i = 0; i <= n; ++i) {
-        for (std::size_t j = 0; j <= m; ++j) {
-            float& here = head_bound_[i * row + j];
-            if (i > 0) here = std::min(here, head_bound_[(i - 1) * row + j]);
-            if (j > 0) here = std::min(here, head_bound_[i * row + j - 1]);
-            if (i == n || j == m) continue;
-            for (int mx = oa.starts_at[i]; mx < oa.starts_at[i + 1]; ++mx) {
-                const auto [x, xe] = oa.members[static_cast<std::size_t>(mx)];
-                const float spared_a = oa.norms_from[i] - oa.norms_from[static_cast<std::size_t>(xe)];
-                const float* row_of_x = &nodes[static_cast<std::size_t>(x) * b.parts.size()];
-                float* ends = &head_bound_[static_cast<std::size_t>(xe) * row];
-                for (int my = ob.starts_at[j]; my < ob.starts_at[j + 1]; ++my) {
-                    const auto [y, ye] = ob.members[static_cast<std::size_t>(my)];
-                    const float spared_b = ob.norms_from[j] - ob.norms_from[static_cast<std::size_t>(ye)];
-                    float& end = ends[ye];
-                    end = std::min(end, here + (row_of_x[y] - spared_a - spared_b));
-                }
+/// Both readings of b at once: its features are the same, its signatures turn round.
+void Matcher::fill_own(const PartRing& a, const PartRing& b) {
+    own_row_ = b.groups.size();
+    own_.resize(a.parts.size() * own_row_);
+    own_reversed_.resize(own_.size());
+    for (std::size_t i = 0; i < a.parts.size(); ++i) {
+        const RingPart& x = a.parts[i];
+        for (std::size_t g = 0; g < own_row_; ++g) {
+            const PartGroup& y = b.groups[g];
+            const Lanes features = feature_distances(x, y);
+            own_[i * own_row_ + g].v = features + signature_distances<false>(x, y) - x.spared - y.spared.v;
+            own_reversed_[i * own_row_ + g].v = features + signature_distances<true>(x, y) - x.spared - y.spared.v;
+        }
+    }
+}
+
+void Matcher::order_own(const PartRing& a, const OpenedRing& open_b, bool reversed) {
+    const std::vector<LaneGroup>& own = reversed ? own_reversed_ : own_;
+    const std::size_t row = lane_groups(open_b.members.size());
+    own_in_order_.resize(a.parts.size() * row);
+    for (std::size_t x = 0; x < a.parts.size(); ++x) {
+        auto* to = reinterpret_cast<float*>(&own_in_order_[x * row]);
+        const auto* from = reinterpret_cast<const float*>(&own[x * own_row_]);
+        for (std::size_t k = 0; k < open_b.members.size(); ++k) to[k] = from[open_b.members[k].part];
+        for (std::size_t k = open_b.members.size(); k < row * kLanes; ++k) to[k] = 0.0F;
+    }
+}
+
+/// The least cost for one pair of cuts, less the norms of all terminals. gains_[x, y] is the cost of the best match
+/// that starts with this pair, less that of leaving all its terminals out; before its row is reached, only of what
+/// follows it. Members come by where they end, so what may follow a member comes after it.
+float Matcher::solve(const PartRing& a, const OpenedRing& open_a, const OpenedRing& open_b) {
+    const std::size_t row = lane_groups(open_b.members.size());
+    gains_.assign(open_a.members.size() * row, LaneGroup{});
+    Lanes least{};
+    for (std::size_t x = open_a.members.size(); x-- > 0;) {
+        const LaneGroup* own = &own_in_order_[index(open_a.members[x].part) * row];
+        for (std::size_t g = 0; g < row; ++g) {
+            Lanes& gain = gains_[x * row + g].v;
+            gain = own[g].v + gain;
+            least = least_of(least, gain);
+        }
+        if (open_a.members[x].before > 0) connect(a, open_a, open_b, x);
+    }
+    return std::min({least[0], least[1], least[2], least[3]});
+}
+
+/// Offers the pairs of member `to` of A as the next to all pairs that end before them. A pair that gains nothing is
+/// better left out than followed.
+void Matcher::connect(const PartRing& a, const OpenedRing& open_a, const OpenedRing& open_b, std::size_t to) {
+    const std::size_t row = lane_groups(open_b.members.size());
+    const auto* gain_of = reinterpret_cast<const float*>(&gains_[to * row]);
+    onward_.resize(open_b.members.size());
+    for (std::size_t g = 0; g < row; ++g) {
+        const OpenedRing::Step* step = open_b.steps.data() + open_b.steps_from[g];
+        const OpenedRing::Step* end = open_b.steps.data() + open_b.steps_from[g + 1];
+        Onward* last = onward_.data();
+        for (; step != end; ++step) {  // without a branch: it would be guessed wrongly half the time
+            const float gain = gain_of[step->to];
+            *last = {all_lanes(gain), step};
+            last += gain < 0.0F ? 1 : 0;
+        }
+        if (last == onward_.data()) continue;
+        for (std::size_t x = 0; x < index(open_a.members[to].before); ++x) {
+            const InterDistance& d = a.between(index(open_a.members[x].part), index(open_a.members[to].part));
+            const Lanes d_e = all_lanes(d.d_e), d_be = all_lanes(d.d_be), d_a = all_lanes(d.d_a);
+            Lanes best = gains_[x * row + g].v;
+            for (const Onward* next = onward_.data(); next != last; ++next) {
+                const Lanes e = d_e - next->step->d_e, be = d_be - next->step->d_be, angle = d_a - next->step->d_a;
+                best = least_of(next->gain + (e * e + be * be + angle * angle), best);
             }
-        }
-    }
-    return oa.norms_from[0] + ob.norms_from[0] + head_bound_[n * row + m];
-}
-
-/// The best continuation of an entry whose parts end before these positions; inter-distances only add, so rows and cells whose
-/// least gain is no better than what is found already are passed over.
-void Matcher::continue_best(Entry& entry, const PartRing& a, const PartRing& b, int from_a, int from_b) const {
-    const std::size_t row = static_cast<std::size_t>(b.terminal_count) + 1;
-    const InterDistance* inter_a = &a.inter[static_cast<std::size_t>(entry.x) * a.parts.size()];
-    const InterDistance* inter_b = &b.inter[static_cast<std::size_t>(entry.y) * b.parts.size()];
-    for (int i = from_a; i < a.terminal_count; ++i) {
-        const std::size_t base = static_cast<std::size_t>(i) * row;
-        if (tail_[base + static_cast<std::size_t>(from_b)] >= entry.gain) return;
-        for (int j = from_b; j < b.terminal_count; ++j) {
-            if (tail_[base + static_cast<std::size_t>(j)] >= entry.gain) break;
-            const Cell& cell = cells_[base + static_cast<std::size_t>(j)];
-            if (cell.least >= entry.gain) continue;
-            for (int k = cell.begin; k < cell.end; ++k) {
-                const Entry& next = entries_[static_cast<std::size_t>(k)];
-                if (next.gain >= entry.gain) continue;
-                const float gain = next.gain + inter_cost(inter_a[next.x], inter_b[next.y]);
-                if (gain < entry.gain) {
-                    entry.gain = gain;
-                    entry.next = k;
-                }
-            }
+            gains_[x * row + g].v = best;
         }
     }
 }
 
-/// One configuration, exactly, unless its cost is not below `give_up_at`: then anything not below that comes back. Cells are
-/// filled from the ends of both rings backwards, so all that may follow an entry is there before it. Entries that do not
-/// beat leaving out are dropped, and those that cannot be part of a match below `give_up_at`, by head_bound_.
-float Matcher::solve(const PartRing& a, const PartRing& b, const Configuration& c, float give_up_at) {
-    const OpenedRing& oa = a.opened[static_cast<std::size_t>(c.open_a)];
-    const OpenedRing& ob = b.opened[static_cast<std::size_t>(c.open_b)];
-    const std::vector<float>& nodes = c.reversed ? node_distance_reversed_ : node_distance_;
-    const auto n = static_cast<std::size_t>(a.terminal_count), m = static_cast<std::size_t>(b.terminal_count);
-    const std::size_t row = m + 1;
-    const float all = oa.norms_from[0] + ob.norms_from[0];
-    const float useless = give_up_at - all + kRounding * all;
-    tail_.assign((n + 1) * row, 0.0F);
-    cells_.assign((n + 1) * row, Cell{});
-    entries_.clear();
-    head_ = -1;
-    float best = 0.0F;
-    for (std::size_t i = n; i-- > 0;) {
-        for (std::size_t j = m; j-- > 0;) {
-            Cell& cell = cells_[i * row + j];
-            cell.begin = static_cast<int>(entries_.size());
-            const float before = head_bound_[i * row + j];
-            for (int mx = oa.starts_at[i]; mx < oa.starts_at[i + 1]; ++mx) {
-                const auto [x, xe] = oa.members[static_cast<std::size_t>(mx)];
-                const float spared_a = oa.norms_from[i] - oa.norms_from[static_cast<std::size_t>(xe)];
-                const float* row_of_x = &nodes[static_cast<std::size_t>(x) * b.parts.size()];
-                for (int my = ob.starts_at[j]; my < ob.starts_at[j + 1]; ++my) {
-                    const auto [y, ye] = ob.members[static_cast<std::size_t>(my)];
-                    const float spared_b = ob.norms_from[j] - ob.norms_from[static_cast<std::size_t>(ye)];
-                    const float own = row_of_x[y] - spared_a - spared_b;
-                    const float after = tail_[static_cast<std::size_t>(xe) * row + static_cast<std::size_t>(ye)];
-                    if (own + after >= 0.0F || before + own + after >= useless) continue;
-                    Entry entry{0.0F, -1, x, y};
-                    continue_best(entry, a, b, xe, ye);
-                    entry.gain = own + entry.gain;
-                    if (entry.gain >= 0.0F || before + entry.gain >= useless) continue;
-                    if (entry.gain < best) {
-                        best = entry.gain;
-                        head_ = static_cast<int>(entries_.size());
-                    }
-                    cell.least = std::min(cell.least, entry.gain);
-                    entries_.push_back(entry);
-                }
-            }
-            cell.end = static_cast<int>(entries_.size());
-            tail_[i * row + j] = std::min({tail_[(i + 1) * row + j], tail_[i * row + j + 1], cell.least});
-        }
-    }
-    return all + best;
-}
-
-void Matcher::add_configurations(const PartRing& a, const PartRing& b, bool reversed) {
-    for (std::size_t i = 0; i < a.opened.size(); ++i) {
-        for (std::size_t j = 0; j < b.opened.size(); ++j) {
-            Configuration c{0.0F, static_cast<int>(i), static_cast<int>(j), reversed};
-            c.bound = fill_heads(a, b, c);
-            configurations_.push_back(c);
+/// Between equal costs the first pair of cuts wins.
+void Matcher::try_cuts(const PartRing& a, const PartRing& b, bool reversed, Cut& best) {
+    for (std::size_t j = 0; j < b.opened.size(); ++j) {
+        order_own(a, b.opened[j], reversed);
+        for (std::size_t i = 0; i < a.opened.size(); ++i) {
+            const float cost = a.norms + b.norms + solve(a, a.opened[i], b.opened[j]);
+            if (cost < best.cost) best = {cost, i, j, reversed};
         }
     }
 }
 
-/// Most promising configurations first; the rest mostly fall to their bound. Between equal costs the first configuration wins.
-Matcher::Best Matcher::best_of_configurations(const PartRing& a, const PartRing& forwards, const PartRing& backwards) {
-    std::stable_sort(configurations_.begin(), configurations_.end(),
-                     [](const Configuration& p, const Configuration& q) { return p.bound < q.bound; });
-    Best best{std::numeric_limits<float>::infinity(), {}};
-    for (const Configuration& c : configurations_) {
-        if (c.bound >= best.cost) break;
-        const PartRing& b = c.reversed ? backwards : forwards;
-        fill_heads(a, b, c);
-        const float cost = solve(a, b, c, best.cost);
-        if (cost < best.cost) best = {cost, c};
-    }
+Matcher::Cut Matcher::best_cut(const MatchableShape& a, const MatchableShape& b) {
+    Cut best{std::numeric_limits<float>::infinity(), 0, 0, false};
+    fill_own(a.forwards, b.forwards);
+    try_cuts(a.forwards, b.forwards, false, best);
+    try_cuts(a.forwards, b.backwards, true, best);
+    best.cost = std::max(0.0F, best.cost);
     return best;
 }
 
 double Matcher::distance(const MatchableShape& a, const MatchableShape& b) {
-    fill_node_distances(a.forwards, b.forwards, node_distance_);
-    fill_node_distances(a.forwards, b.backwards, node_distance_reversed_);
-    configurations_.clear();
-    add_configurations(a.forwards, b.forwards, false);
-    add_configurations(a.forwards, b.backwards, true);
-    return std::max(0.0F, best_of_configurations(a.forwards, b.forwards, b.backwards).cost);
+    return in_order(a.forwards, b.forwards) ? best_cut(a, b).cost : best_cut(b, a).cost;
 }
 
 double Matcher::asymmetry(const MatchableShape& shape) {
-    fill_node_distances(shape.forwards, shape.backwards, node_distance_reversed_);
-    configurations_.clear();
-    add_configurations(shape.forwards, shape.backwards, true);
-    return std::max(0.0F, best_of_configurations(shape.forwards, shape.forwards, shape.backwards).cost);
+    Cut best{std::numeric_limits<float>::infinity(), 0, 0, true};
+    fill_own(shape.forwards, shape.forwards);
+    try_cuts(shape.forwards, shape.backwards, true, best);
+    return std::max(0.0F, best.cost);
 }
 
-Match Matcher::match(const MatchableShape& a, const MatchableShape& b) {
-    fill_node_distances(a.forwards, b.forwards, node_distance_);
-    fill_node_distances(a.forwards, b.backwards, node_distance_reversed_);
-    configurations_.clear();
-    add_configurations(a.forwards, b.forwards, false);
-    add_configurations(a.forwards, b.backwards, true);
-    const Best best = best_of_configurations(a.forwards, b.forwards, b.backwards);
-    return explain(a.forwards, best.configuration.reversed ? b.backwards : b.forwards, best);
+/// The pair that best starts the match (after == nullptr) or best follows a pair of it; nullopt if none gains anything.
+/// Among equal ones the first in member order.
+std::optional<Matcher::Link> Matcher::next_link(const PartRing& a, const OpenedRing& open_a, const PartRing& b,
+                                                const OpenedRing& open_b, const Link* after) const {
+    const std::size_t row = lane_groups(open_b.members.size());
+    float least = 0.0F;
+    std::optional<Link> best;
+    for (std::size_t i = 0; i < open_a.members.size(); ++i) {
+        const OpenedRing::Member& x = open_a.members[i];
+        if (after != nullptr && after->x >= index(x.before)) continue;
+        for (std::size_t j = 0; j < open_b.members.size(); ++j) {
+            const OpenedRing::Member& y = open_b.members[j];
+            if (after != nullptr && after->y >= index(y.before)) continue;
+            float gain = gains_[i * row + j / kLanes].v[j % kLanes];
+            if (gain >= 0.0F) continue;
+            if (after != nullptr) {
+                gain += inter_cost(a.between(index(open_a.members[after->x].part), index(x.part)),
+                                   b.between(index(open_b.members[after->y].part), index(y.part)));
+            }
+            if (gain >= least) continue;
+            least = gain;
+            best = Link{i, j};
+        }
+    }
+    return best;
+}
+
+/// The parts of a and b matched by the pair of cuts solved last, in their order.
+Matcher::Chain Matcher::trace(const PartRing& a, const OpenedRing& open_a, const PartRing& b,
+                              const OpenedRing& open_b) const {
+    Chain chain;
+    std::optional<Link> link = next_link(a, open_a, b, open_b, nullptr);
+    while (link) {
+        chain.emplace_back(open_a.members[link->x].part, open_b.members[link->y].part);
+        link = next_link(a, open_a, b, open_b, &*link);
+    }
+    return chain;
 }
 
 namespace {
 
-void leave_out(const PartRing& ring, const std::vector<char>& matched, bool backwards, std::vector<int>& out, double& cost) {
+MatchedPair matched_pair(const RingPart& x, const RingPart& y) {
+    MatchedPair pair{x.part, y.part, 0.0, 0.0, 0.0, 0.0, 0.0};
+    for (std::size_t f = 0; f < kFeatureCount; ++f) pair.features += std::pow(x.weighted[f] - y.weighted[f], 2.0);
+    pair.features = std::sqrt(pair.features);
+    for (std::size_t s = 0; s < kSignatureSize; ++s) pair.signature += std::pow(x.signature[s] - y.signature[s], 2.0);
+    return pair;
+}
+
+void mark(const PartRing& ring, const RingPart& part, std::vector<char>& matched) {
+    for (int t = 0; t < part.count; ++t) matched[index((part.first + t) % ring.terminal_count)] = 1;
+}
+
+void leave_out(const PartRing& ring, const std::vector<char>& matched, bool backwards, std::vector<int>& out,
+               double& cost) {
     for (int t = 0; t < ring.terminal_count; ++t) {
-        if (matched[static_cast<std::size_t>(t)] != 0) continue;
+        if (matched[index(t)] != 0) continue;
         out.push_back(backwards ? ring.terminal_count - 1 - t : t);
-        cost += ring.terminal_norm[static_cast<std::size_t>(t)];
+        cost += ring.terminal_norm[index(t)];
     }
     std::sort(out.begin(), out.end());
 }
 
 }  // namespace
 
-Match Matcher::explain(const PartRing& a, const PartRing& b, const Best& best) {
-    fill_heads(a, b, best.configuration);
-    Match match;
-    match.distance = std::max(0.0F, solve(a, b, best.configuration, std::numeric_limits<float>::infinity()));
-    match.reversed = best.configuration.reversed;
-    std::vector<char> used_a(static_cast<std::size_t>(a.terminal_count), 0);
-    std::vector<char> used_b(static_cast<std::size_t>(b.terminal_count), 0);
-    int before = -1;
-    for (int k = head_; k >= 0; k = entries_[static_cast<std::size_t>(k)].next) {
-        const Entry& e = entries_[static_cast<std::size_t>(k)];
-        const RingPart& x = a.parts[static_cast<std::size_t>(e.x)];
-        const RingPart& y = b.parts[static_cast<std::size_t>(e.y)];
-        MatchedPair pair{x.part, y.part, 0.0, 0.0, 0.0, 0.0, 0.0};
-        for (std::size_t f = 0; f < kFeatureCount; ++f) pair.features += std::pow(x.weighted[f] - y.weighted[f], 2.0);
-        pair.features = std::sqrt(pair.features);
-        for (std::size_t s = 0; s < kSignatureSize; ++s) pair.signature += std::pow(x.signature[s] - y.signature[s], 2.0);
-        if (before >= 0) {
-            const Entry& p = entries_[static_cast<std::size_t>(before)];
-            const InterDistance& ia = a.between(static_cast<std::size_t>(p.x), static_cast<std::size_t>(e.x));
-            const InterDistance& ib = b.between(static_cast<std::size_t>(p.y), static_cast<std::size_t>(e.y));
+void Matcher::explain(const PartRing& a, const PartRing& b, const Chain& chain, Match& match) {
+    std::vector<char> used_a(index(a.terminal_count), 0), used_b(index(b.terminal_count), 0);
+    for (std::size_t k = 0; k < chain.size(); ++k) {
+        const auto [x, y] = chain[k];
+        MatchedPair pair = matched_pair(a.parts[index(x)], b.parts[index(y)]);
+        if (k > 0) {
+            const InterDistance& ia = a.between(index(chain[k - 1].first), index(x));
+            const InterDistance& ib = b.between(index(chain[k - 1].second), index(y));
             pair.d_e = std::pow(ia.d_e - ib.d_e, 2.0);
             pair.d_be = std::pow(ia.d_be - ib.d_be, 2.0);
             pair.d_a = std::pow(ia.d_a - ib.d_a, 2.0);
         }
-        for (int t = 0; t < x.count; ++t) used_a[static_cast<std::size_t>((x.first + t) % a.terminal_count)] = 1;
-        for (int t = 0; t < y.count; ++t) used_b[static_cast<std::size_t>((y.first + t) % b.terminal_count)] = 1;
+        mark(a, a.parts[index(x)], used_a);
+        mark(b, b.parts[index(y)], used_b);
         match.pairs.push_back(pair);
-        before = k;
     }
     leave_out(a, used_a, false, match.left_out_a, match.left_out_cost);
     leave_out(b, used_b, match.reversed, match.left_out_b, match.left_out_cost);
+}
+
+Match Matcher::match(const MatchableShape& a, const MatchableShape& b) {
+    const bool swapped = !in_order(a.forwards, b.forwards);
+    const MatchableShape& first = swapped ? b : a;
+    const MatchableShape& second = swapped ? a : b;
+    const Cut best = best_cut(first, second);
+    Match match;
+    match.distance = best.cost;
+    match.reversed = best.reversed;
+    Chain chain;
+    if (std::isfinite(best.cost)) {
+        const PartRing& other = best.reversed ? second.backwards : second.forwards;
+        order_own(first.forwards, other.opened[best.open_b], best.reversed);
+        (void)solve(first.forwards, first.forwards.opened[best.open_a], other.opened[best.open_b]);
+        chain = trace(first.forwards, first.forwards.opened[best.open_a], other, other.opened[best.open_b]);
+    }
+    if (swapped) {
+        for (auto& [x, y] : chain) std::swap(x, y);
+        if (best.reversed)
+            std::reverse(chain.begin(), chain.end());  // the second was read backwards, now the first is not
+    }
+    explain(a.forwards, best.reversed ? b.backwards : b.forwards, chain, match);
     return match;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/parts/describe.hpp"
@@ -40,24 +41,80 @@ double angle_deg(Point a, Point b) {
     return std::atan2(std::abs(cross(a, b)), dot(a, b)) * 180.0 / std::numbers::pi;
 }
 
-OpenedRing opened_at(const PartRing& ring, int start) {
+/// The parts that do not run over the cut before terminal `start`, by where they end, each with how many end before it
+/// starts.
+std::vector<OpenedRing::Member> members_from(const PartRing& ring, int start) {
     const int n = ring.terminal_count;
-    OpenedRing open;
-    open.starts_at.push_back(0);
-    for (int i = 0; i < n; ++i) {
-        const int terminal = (start + i) % n;
+    std::vector<OpenedRing::Member> members;
+    std::vector<int> ended(static_cast<std::size_t>(n) + 1, 0);  // parts that end at this position or before
+    for (int end = 1; end <= n; ++end) {
         for (std::size_t p = 0; p < ring.parts.size(); ++p) {
-            if (ring.parts[p].first != terminal || i + ring.parts[p].count > n) continue;
-            open.members.push_back({static_cast<int>(p), i + ring.parts[p].count});
+            const int position = (ring.parts[p].first - start + n) % n;
+            if (position + ring.parts[p].count != end) continue;
+            members.push_back({static_cast<int>(p), ended[static_cast<std::size_t>(position)]});
         }
-        open.starts_at.push_back(static_cast<int>(open.members.size()));
+        ended[static_cast<std::size_t>(end)] = static_cast<int>(members.size());
     }
-    open.norms_from.assign(static_cast<std::size_t>(n) + 1, 0.0F);
-    for (int i = n - 1; i >= 0; --i) {
-        open.norms_from[static_cast<std::size_t>(i)] = open.norms_from[static_cast<std::size_t>(i) + 1] +
-                                                       ring.terminal_norm[static_cast<std::size_t>((start + i) % n)];
+    return members;
+}
+
+void add_steps(const PartRing& ring, std::size_t first_from, OpenedRing& open) {
+    for (std::size_t to = 0; to < open.members.size(); ++to) {
+        const auto before = static_cast<std::size_t>(open.members[to].before);
+        if (before <= first_from) continue;
+        OpenedRing::Step step{all_lanes(std::numeric_limits<float>::infinity()), {}, {}, static_cast<int>(to)};
+        for (std::size_t from = first_from; from < std::min(first_from + kLanes, before); ++from) {
+            const InterDistance& d = ring.between(static_cast<std::size_t>(open.members[from].part),
+                                                  static_cast<std::size_t>(open.members[to].part));
+            step.d_e[from - first_from] = d.d_e;
+            step.d_be[from - first_from] = d.d_be;
+            step.d_a[from - first_from] = d.d_a;
+        }
+        open.steps.push_back(step);
+    }
+}
+
+OpenedRing opened_at(const PartRing& ring, int start) {
+    OpenedRing open;
+    open.members = members_from(ring, start);
+    open.steps_from.push_back(0);
+    for (std::size_t g = 0; g < lane_groups(open.members.size()); ++g) {
+        add_steps(ring, g * kLanes, open);
+        open.steps_from.push_back(static_cast<int>(open.steps.size()));
     }
     return open;
+}
+
+std::vector<PartGroup> grouped(const std::vector<RingPart>& parts) {
+    std::vector<PartGroup> groups(lane_groups(parts.size()));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        PartGroup& group = groups[i / kLanes];
+        for (std::size_t k = 0; k < kFeatureCount; ++k) group.weighted[k].v[i % kLanes] = parts[i].weighted[k];
+        group.spared.v[i % kLanes] = parts[i].spared;
+        for (std::size_t k = 0; k < kSignatureSize; ++k) group.signature[k].v[i % kLanes] = parts[i].signature[k];
+    }
+    return groups;
+}
+
+/// Norms are added up in steps of 2^-11, so that sums below 2^13 are exact: what one pair of equal parts after the
+/// other spares adds up to all norms, and the distance of equal shapes to 0.
+float in_steps(float norm) {
+    constexpr float kSteps = 2048.0F;
+    return std::round(norm * kSteps) / kSteps;
+}
+
+void fill_norms(PartRing& ring) {
+    const int n = ring.terminal_count;
+    ring.terminal_norm.assign(static_cast<std::size_t>(n), 0.0F);
+    for (int t = 0; t < n; ++t) {
+        const RingPart& terminal = ring.parts[static_cast<std::size_t>(t)];
+        ring.terminal_norm[static_cast<std::size_t>(terminal.first)] = terminal.norm;
+    }
+    const auto norm = [&](int t) { return in_steps(ring.terminal_norm[static_cast<std::size_t>(t % n)]); };
+    for (int t = 0; t < n; ++t) ring.norms += norm(t);
+    for (RingPart& part : ring.parts) {
+        for (int t = 0; t < part.count; ++t) part.spared += norm(part.first + t);
+    }
 }
 
 class RingBuilder {
@@ -71,20 +128,17 @@ class RingBuilder {
         PartRing ring;
         ring.terminal_count = shape_.terminal_count;
         for (std::size_t i = 0; i < shape_.parts.size(); ++i) ring.parts.push_back(ring_part(i, backwards));
-        ring.terminal_norm.assign(static_cast<std::size_t>(shape_.terminal_count), 0.0F);
-        for (int t = 0; t < shape_.terminal_count; ++t) {
-            const RingPart& terminal = ring.parts[static_cast<std::size_t>(t)];
-            ring.terminal_norm[static_cast<std::size_t>(terminal.first)] = terminal.norm;
-        }
+        fill_norms(ring);
+        ring.groups = grouped(ring.parts);
         ring.stop_points = stop_points(shape_.parts, shape_.terminal_count, backwards);
         if (backwards) {
             for (int& t : ring.stop_points) t = shape_.terminal_count - 1 - t;
             std::sort(ring.stop_points.begin(), ring.stop_points.end());
         }
-        for (const int start : ring.stop_points) ring.opened.push_back(opened_at(ring, start));
         for (std::size_t i = 0; i < shape_.parts.size(); ++i) {
             for (std::size_t j = 0; j < shape_.parts.size(); ++j) ring.inter.push_back(inter(i, j, backwards));
         }
+        for (const int start : ring.stop_points) ring.opened.push_back(opened_at(ring, start));
         return ring;
     }
 

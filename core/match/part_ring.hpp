@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "core/match/lanes.hpp"
 #include "core/parts/descriptor.hpp"
 #include "core/skeleton/shape_parameters.hpp"
 
@@ -25,26 +26,42 @@ struct RingPart {
     std::array<float, kFeatureCount> weighted{};
     std::array<float, kSignatureSize> signature{};
     float norm = 0.0F;  ///< eq. 5.3
+    float spared =
+        0.0F;  ///< sum of the norms of its terminals: what leaving them all out would cost, in steps of 2^-11
 };
 
-/// The ring cut open before one stop point: positions count from 0 there, and parts that run over the cut are gone.
+/// The ring cut open before one stop point: parts that run over the cut are gone.
 struct OpenedRing {
     struct Member {
-        int part = 0;  ///< index into PartRing::parts
-        int end = 0;   ///< position after its last terminal
+        int part = 0;    ///< index into PartRing::parts
+        int before = 0;  ///< as many members end before this one starts, and they are the first in `members`
     };
-    std::vector<Member> members;     ///< by the position at which they start, ascending
-    std::vector<int> starts_at;      ///< members of position i: starts_at[i] … starts_at[i + 1]; terminal_count + 1 entries
-    std::vector<float> norms_from;   ///< sum of the norms of the terminals at position i and after; terminal_count + 1 entries
+    /// Inter-distances from four members to a later one; d_e is infinite from members that do not end before it.
+    struct Step {
+        Lanes d_e{}, d_be{}, d_a{};
+        int to = 0;  ///< index into `members`
+    };
+    std::vector<Member> members;  ///< by the position at which they end, ascending
+    std::vector<Step> steps;      ///< by the four members they lead from, then by the one they lead to
+    std::vector<int> steps_from;  ///< steps of group g of four members: steps_from[g] … steps_from[g + 1]
+};
+
+/// Four parts, one a lane.
+struct PartGroup {
+    std::array<LaneGroup, kFeatureCount> weighted{};
+    std::array<LaneGroup, kSignatureSize> signature{};
+    LaneGroup spared;
 };
 
 struct PartRing {
     int terminal_count = 0;
-    std::vector<RingPart> parts;           ///< as in the descriptor: terminals first
-    std::vector<float> terminal_norm;      ///< by terminal in the ring's direction
-    std::vector<int> stop_points;          ///< in the ring's direction
-    std::vector<OpenedRing> opened;        ///< one per stop point
-    std::vector<InterDistance> inter;      ///< parts x parts, row: from
+    std::vector<RingPart> parts;       ///< as in the descriptor: terminals first
+    std::vector<PartGroup> groups;     ///< the same parts, four by four; nought where there are no more
+    std::vector<float> terminal_norm;  ///< by terminal in the ring's direction
+    float norms = 0.0F;                ///< their sum, in steps of 2^-11
+    std::vector<int> stop_points;      ///< in the ring's direction
+    std::vector<OpenedRing> opened;    ///< one per stop point
+    std::vector<InterDistance> inter;  ///< parts x parts, row: from
     [[nodiscard]] const InterDistance& between(std::size_t from, std::size_t to) const {
         return inter[from * parts.size() + to];
     }

@@ -1,0 +1,30 @@
+#pragma once
+// Four floats worked on at once. Every lane is an IEEE operation in the order written, so results equal those of plain
+// floats, on every machine: the compiler splits lanes up where there are no vector registers.
+
+#include <cstddef>
+
+namespace core {
+
+using Lanes = float __attribute__((vector_size(16)));
+inline constexpr std::size_t kLanes = 4;
+
+/// Lanes in a container.
+struct LaneGroup {
+    Lanes v{};
+};
+
+/// How many groups hold n values.
+[[nodiscard]] constexpr std::size_t lane_groups(std::size_t n) {
+    return (n + kLanes - 1) / kLanes;
+}
+
+[[nodiscard]] inline Lanes all_lanes(float value) {
+    return Lanes{value, value, value, value};
+}
+
+[[nodiscard]] inline Lanes least_of(Lanes a, Lanes b) {
+    return a < b ? a : b;
+}
+
+}  // namespace core
