@@ -14,6 +14,18 @@ std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
+/// Bounds are compared with this share of slack, so that rounding never cuts off the best match.
+constexpr float kRounding = 1e-5F;
+
+float least_lane(Lanes v) {
+    return std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
+}
+
+Lanes greatest_of(Lanes a, float b) {
+    const Lanes other = all_lanes(b);
+    return a > other ? a : other;
+}
+
 float inter_cost(const InterDistance& a, const InterDistance& b) {
     const float e = a.d_e - b.d_e, be = a.d_be - b.d_be, angle = a.d_a - b.d_a;
     return e * e + be * be + angle * angle;
@@ -77,35 +89,66 @@ void Matcher::fill_own(const PartRing& a, const PartRing& b) {
     }
 }
 
+/// The opened b's columns of own_, and for each member of it the least gain of what can come before, whatever of a it
+/// is paired with, even several times the same.
 void Matcher::order_own(const PartRing& a, const OpenedRing& open_b, bool reversed) {
     const std::vector<LaneGroup>& own = reversed ? own_reversed_ : own_;
     const std::size_t row = lane_groups(open_b.members.size());
     own_in_order_.resize(a.parts.size() * row);
+    least_of_a_.resize(a.parts.size());
+    least_of_b_.assign(row, LaneGroup{});
     for (std::size_t x = 0; x < a.parts.size(); ++x) {
-        auto* to = reinterpret_cast<float*>(&own_in_order_[x * row]);
+        LaneGroup* ordered = &own_in_order_[x * row];
+        ordered[row - 1].v = Lanes{};
+        auto* to = reinterpret_cast<float*>(ordered);
         const auto* from = reinterpret_cast<const float*>(&own[x * own_row_]);
         for (std::size_t k = 0; k < open_b.members.size(); ++k) to[k] = from[open_b.members[k].part];
-        for (std::size_t k = open_b.members.size(); k < row * kLanes; ++k) to[k] = 0.0F;
+        Lanes least{};
+        for (std::size_t g = 0; g < row; ++g) {
+            least = least_of(least, ordered[g].v);
+            least_of_b_[g].v = least_of(least_of_b_[g].v, ordered[g].v);
+        }
+        least_of_a_[x] = least_lane(least);
+    }
+    before_b_.resize(row);
+    fill_before(open_b, reinterpret_cast<const float*>(least_of_b_.data()), false,
+                reinterpret_cast<float*>(before_b_.data()));
+}
+
+/// The least sum of `least` over members that follow one another, before each member.
+void Matcher::fill_before(const OpenedRing& open, const float* least, bool by_part, float* out) {
+    until_.resize(open.members.size() + 1);
+    until_[0] = 0.0F;
+    for (std::size_t k = 0; k < open.members.size(); ++k) {
+        const OpenedRing::Member& member = open.members[k];
+        out[k] = until_[index(member.before)];
+        until_[k + 1] = std::min(until_[k], out[k] + least[by_part ? index(member.part) : k]);
     }
 }
 
-/// The least cost for one pair of cuts, less the norms of all terminals. gains_[x, y] is the cost of the best match
-/// that starts with this pair, less that of leaving all its terminals out; before its row is reached, only of what
-/// follows it. Members come by where they end, so what may follow a member comes after it.
-float Matcher::solve(const PartRing& a, const OpenedRing& open_a, const OpenedRing& open_b) {
-    const std::size_t row = lane_groups(open_b.members.size());
-    gains_.assign(open_a.members.size() * row, LaneGroup{});
+/// The least cost for one pair of cuts, less the norms of all terminals; or anything not below `give_up_at`, if it is
+/// not below. gains_[x, y] is the cost of the best match that starts with this pair, less that of leaving all its
+/// terminals out. Members come by where they end, so what may follow a member comes after it. A pair that gains nothing
+/// is better left out than followed; one that with all that can come before it does not get below `give_up_at` is of no
+/// use either. So only gains below a threshold are followed.
+float Matcher::solve(const PartRing& a, const OpenedRing& open_a, const OpenedRing& open_b, float give_up_at) {
+    const std::size_t row = lane_groups(open_b.members.size()), size_a = open_a.members.size();
+    gains_.assign(size_a * row, LaneGroup{});
+    before_a_.resize(size_a);
+    fill_before(open_a, least_of_a_.data(), true, before_a_.data());
     Lanes least{};
-    for (std::size_t x = open_a.members.size(); x-- > 0;) {
+    for (std::size_t x = size_a; x-- > 0;) {
         const LaneGroup* own = &own_in_order_[index(open_a.members[x].part) * row];
         for (std::size_t g = 0; g < row; ++g) {
+            const Lanes threshold = least_of(Lanes{}, give_up_at - greatest_of(before_b_[g].v, before_a_[x]));
             Lanes& gain = gains_[x * row + g].v;
             gain = own[g].v + gain;
+            gain = gain < threshold ? gain : Lanes{};
             least = least_of(least, gain);
         }
         if (open_a.members[x].before > 0) connect(a, open_a, open_b, x);
     }
-    return std::min({least[0], least[1], least[2], least[3]});
+    return least_lane(least);
 }
 
 /// Offers the pairs of member `to` of A as the next to all pairs that end before them. A pair that gains nothing is
@@ -142,7 +185,8 @@ void Matcher::try_cuts(const PartRing& a, const PartRing& b, bool reversed, Cut&
     for (std::size_t j = 0; j < b.opened.size(); ++j) {
         order_own(a, b.opened[j], reversed);
         for (std::size_t i = 0; i < a.opened.size(); ++i) {
-            const float cost = a.norms + b.norms + solve(a, a.opened[i], b.opened[j]);
+            const float all = a.norms + b.norms;
+            const float cost = all + solve(a, a.opened[i], b.opened[j], best.cost - all + kRounding * all);
             if (cost < best.cost) best = {cost, i, j, reversed};
         }
     }
@@ -265,7 +309,8 @@ Match Matcher::match(const MatchableShape& a, const MatchableShape& b) {
     if (std::isfinite(best.cost)) {
         const PartRing& other = best.reversed ? second.backwards : second.forwards;
         order_own(first.forwards, other.opened[best.open_b], best.reversed);
-        (void)solve(first.forwards, first.forwards.opened[best.open_a], other.opened[best.open_b]);
+        (void)solve(first.forwards, first.forwards.opened[best.open_a], other.opened[best.open_b],
+                    std::numeric_limits<float>::infinity());
         chain = trace(first.forwards, first.forwards.opened[best.open_a], other, other.opened[best.open_b]);
     }
     if (swapped) {

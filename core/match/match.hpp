@@ -79,7 +79,8 @@ class Matcher {
 
     void fill_own(const PartRing& a, const PartRing& b);
     void order_own(const PartRing& a, const OpenedRing& open_b, bool reversed);
-    float solve(const PartRing& a, const OpenedRing& open_a, const OpenedRing& open_b);
+    float solve(const PartRing& a, const OpenedRing& open_a, const OpenedRing& open_b, float give_up_at);
+    void fill_before(const OpenedRing& open, const float* least, bool by_part, float* out);
     void connect(const PartRing& a, const OpenedRing& open_a, const OpenedRing& open_b, std::size_t to);
     void try_cuts(const PartRing& a, const PartRing& b, bool reversed, Cut& best);
     Cut best_cut(const MatchableShape& a, const MatchableShape& b);
@@ -92,6 +93,8 @@ class Matcher {
     std::vector<LaneGroup> own_, own_reversed_;  // parts of a x parts of b: node distance less what the pair spares
     std::vector<LaneGroup> own_in_order_;        // parts of a x members of the opened b
     std::vector<LaneGroup> gains_;               // members of a x members of b: see solve
+    std::vector<LaneGroup> least_of_b_, before_b_;
+    std::vector<float> least_of_a_, before_a_, until_;
     std::vector<Onward> onward_;
 };
 
