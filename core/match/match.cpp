@@ -153,7 +153,8 @@ float Matcher::solve(const PartRing& a, const OpenedRing& open_a, const OpenedRi
 
 /// Offers the pairs of member `to` of A as the next to all pairs that end before them. A pair that gains nothing is
 /// better left out than followed.
-void Matcher::connect(const PartRing& a, const OpenedRing& open_a, const OpenedRing& open_b, std::size_t to) {
+CROQUIS_LANES_CLONES void Matcher::connect(const PartRing& a, const OpenedRing& open_a, const OpenedRing& open_b,
+                                           std::size_t to) {
     const std::size_t row = lane_groups(open_b.members.size());
     const auto* gain_of = reinterpret_cast<const float*>(&gains_[to * row]);
     onward_.resize(open_b.members.size());
