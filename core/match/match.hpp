@@ -93,9 +93,12 @@ class Matcher {
     std::vector<LaneGroup> own_, own_reversed_;  // parts of a x parts of b: node distance less what the pair spares
     std::vector<LaneGroup> own_in_order_;        // parts of a x members of the opened b
     std::vector<LaneGroup> gains_;               // members of a x members of b: see solve
+    // Bounds that look at one shape alone: the least own gain of each member of b and part of a, and of all that can
+    // come before.
     std::vector<LaneGroup> least_of_b_, before_b_;
-    std::vector<float> least_of_a_, before_a_, until_;
-    std::vector<Onward> onward_;
+    std::vector<float> least_of_a_, before_a_;
+    std::vector<float> until_;    // see fill_before
+    std::vector<Onward> onward_;  // see connect
 };
 
 }  // namespace core
