@@ -74,7 +74,7 @@ FindMode::FindMode(const ui::FontSet& fonts, const std::vector<ui::Strings>& lan
       painter_(std::move(painter)),
       ink_layer_(std::move(ink)),
       pictures_(std::move(pictures)) {
-    if (searcher != nullptr) worker_ = std::make_unique<SearchWorker>(*searcher);
+    if (searcher != nullptr) worker_ = std::make_unique<SearchWorker>(*searcher, options.every_frame_seen);
     ink_layer_.resize(sheet_size(layout_));
     painter_.set_picture(kInkPicture, &ink_layer_.texture());
     start_over_frame();
@@ -260,6 +260,18 @@ void FindMode::accept(PreparedAnswer answer) {
 }
 
 void FindMode::show_answer() {
+    answer_is_shown_ = false;
+    if (options_.every_frame_seen) make_answer_visible();
+}
+
+void FindMode::make_answer_visible() {
+    if (answer_is_shown_ || !answer_) return;
+    answer_is_shown_ = true;
+    if (answer_->cards.empty() && !answer_->answer.best.empty()) {
+        auto with_cards = std::make_shared<PreparedAnswer>(*answer_);
+        with_cards->cards = preparer_.prepare(with_cards->answer);
+        answer_ = std::move(with_cards);
+    }
     pictures_.start(answer_, layout_);
     make_wash();
 }
@@ -330,6 +342,7 @@ void FindMode::search_and_wait(std::int64_t now_us) {
 }
 
 void FindMode::settle(bool resting) {
+    make_answer_visible();
     pictures_.paint(static_cast<int>(ui::kCardCount), layout_, painter_);
     if (auto faces = pictures_.take_finished()) rail_.set(std::move(*faces));
     rail_.settle();

@@ -23,6 +23,7 @@ struct FindOptions {
     ui::Hand hand = ui::Hand::Right;
     ui::Notice notice = ui::Notice::None;
     std::int64_t search_every_us = 80'000;  ///< while the pen draws; 0: only after strokes
+    bool every_frame_seen = true;           ///< false: cards and wash are made when settle() asks for them
 };
 
 class FindMode {
@@ -88,6 +89,7 @@ class FindMode {
     void accept(PreparedAnswer answer);
     void show_answer();
     void make_wash();
+    void make_answer_visible();
     void drop_results();
     void start_over_frame();
     [[nodiscard]] bool wash_is_current() const;
@@ -125,6 +127,8 @@ class FindMode {
     std::uint64_t last_ticket_ = 0, last_ticket_revision_ = 0, submitted_revision_ = 0;
     std::int64_t submitted_us_ = -1'000'000'000;
     std::string search_failure_;
+    CardPreparer preparer_;        // for answers that come without cards
+    bool answer_is_shown_ = true;  // cards and wash were made of answer_
 
     /// What the last frame showed.
     struct Shown {

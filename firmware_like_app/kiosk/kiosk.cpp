@@ -274,6 +274,7 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searc
     find_options.language = static_cast<std::size_t>(language - languages->begin());
     find_options.hand = options.hand;
     find_options.notice = replays.empty() ? options.notice : ui::Notice::None;
+    find_options.every_frame_seen = !options.headless;
     find_options.search_every_us = options.headless ? 0 : options.search_every_us;
     core::Result<std::unique_ptr<FindMode>> find =
         FindMode::create(*fonts, *languages, searcher, find_options, (*surface)->size());

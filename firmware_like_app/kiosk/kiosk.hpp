@@ -20,7 +20,7 @@ struct KioskOptions {
     std::optional<ui::SizePx> size;  ///< default: the whole screen, 1920 × 1080 headless
     bool windowed = false;           ///< a framed window instead of the full screen
     bool headless = false;           ///< no screen at all; a virtual clock; ends when the replays do
-    bool end_after_replays = false;  ///< in a window; otherwise the sheet is free when the replays end
+    bool end_after_replays = true;   ///< false: in a window the sheet is free when the replays end
     std::filesystem::path shots;     ///< folder for numbered pictures at 25, 50, 75 and 100 % of each replay's ink
     std::filesystem::path record;    ///< folder for what visitors draw, one Quick-Draw line a drawing
     std::string language = "en";     ///< code of a language file

@@ -1,29 +1,11 @@
 #include "firmware_like_app/kiosk/search_worker.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <utility>
 
-#include "ui/screens/card_rail.hpp"
-
 namespace app {
-namespace {
-
-constexpr std::size_t kGeometriesKept = 48;
-constexpr int kBestMap_px = 256, kSmallMap_px = 144;
-
-std::vector<ui::PartRegion> regions_of(const FoundModel& model) {
-    std::vector<ui::PartRegion> regions;
-    const bool any =
-        std::any_of(model.parts.begin(), model.parts.end(), [](const FoundPart& p) { return p.colour >= 0; });
-    if (!any) return regions;
-    for (const FoundPart& part : model.parts) regions.push_back({part.colour, part.on_view});
-    return regions;
-}
-
-}  // namespace
-
-SearchWorker::SearchWorker(Searcher& searcher) : searcher_(searcher) {
+SearchWorker::SearchWorker(Searcher& searcher, bool prepare_cards)
+    : searcher_(searcher), prepare_cards_(prepare_cards) {
     thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
@@ -77,36 +59,13 @@ PreparedAnswer SearchWorker::run(const Job& job, const std::stop_token& stop) {
     out.ticket = job.ticket;
     try {
         out.answer = searcher_.search(job.drawing, stop);
-        const std::size_t shown = std::min(out.answer.best.size(), ui::kCardCount);
-        for (std::size_t i = 0; i < shown && !stop.stop_requested(); ++i) {
-            const FoundModel& model = out.answer.best[i];
-            if (model.mesh == nullptr || model.mesh->empty()) {
-                out.cards.push_back(nullptr);  // the card shows the name alone
-                continue;
-            }
-            out.cards.push_back(std::make_shared<const ui::CardModel>(
-                ui::make_card_model(geometry_of(model), model.camera, model.mirrored, regions_of(model),
-                                    i == 0 ? kBestMap_px : kSmallMap_px)));
-        }
+        if (prepare_cards_) out.cards = preparer_.prepare(out.answer, stop);
     } catch (const std::exception& e) {
         out.answer = {};
         out.cards.clear();
         out.failure = e.what();
     }
     return out;
-}
-
-std::shared_ptr<const ui::ModelGeometry> SearchWorker::geometry_of(const FoundModel& model) {
-    const auto found = std::find_if(geometries_.begin(), geometries_.end(),
-                                    [&](const auto& entry) { return entry.first == model.mesh.get(); });
-    if (found != geometries_.end()) {
-        geometries_.splice(geometries_.begin(), geometries_, found);
-        return geometries_.front().second.second;
-    }
-    auto geometry = std::make_shared<const ui::ModelGeometry>(ui::make_model_geometry(*model.mesh));
-    geometries_.emplace_front(model.mesh.get(), std::make_pair(model.mesh, geometry));
-    if (geometries_.size() > kGeometriesKept) geometries_.pop_back();
-    return geometry;
 }
 
 }  // namespace app

@@ -3,31 +3,29 @@
 
 #include <condition_variable>
 #include <cstdint>
-#include <list>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
-#include <vector>
 
+#include "firmware_like_app/kiosk/card_preparer.hpp"
 #include "firmware_like_app/kiosk/searcher.hpp"
-#include "ui/draw/model_geometry.hpp"
 
 namespace app {
 
-/// An answer with its cards ready for the graphics card.
+/// An answer, with its cards ready for the graphics card when the worker prepares them.
 struct PreparedAnswer {
     std::uint64_t ticket = 0;
     SearchAnswer answer;
-    std::vector<std::shared_ptr<const ui::CardModel>> cards;  ///< one for each of answer.best that is shown
-    std::string failure;                                      ///< what the searcher threw; empty when all is well
+    CardPreparer::Cards cards;  ///< see CardPreparer; empty when not prepared
+    std::string failure;        ///< what the searcher threw; empty when all is well
 };
 
 class SearchWorker {
   public:
-    /// `searcher` must outlive the worker.
-    explicit SearchWorker(Searcher& searcher);
+    /// `searcher` must outlive the worker. `prepare_cards`: also makes the cards of every answer, so that the screen's
+    /// thread need not.
+    SearchWorker(Searcher& searcher, bool prepare_cards);
     /// Asks a running search to stop and waits for it.
     ~SearchWorker();
     SearchWorker(const SearchWorker&) = delete;
@@ -49,18 +47,15 @@ class SearchWorker {
     };
     void work(const std::stop_token& stop);
     PreparedAnswer run(const Job& job, const std::stop_token& stop);
-    std::shared_ptr<const ui::ModelGeometry> geometry_of(const FoundModel& model);
 
     Searcher& searcher_;
+    const bool prepare_cards_;
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::optional<Job> waiting_;
     std::optional<PreparedAnswer> done_;
     std::uint64_t last_ticket_ = 0, done_ticket_ = 0, searches_ = 0;
-    /// Of the models seen last, newest first; only the worker touches it.
-    std::list<std::pair<const core::TriangleMesh*,
-                        std::pair<std::shared_ptr<const core::TriangleMesh>, std::shared_ptr<const ui::ModelGeometry>>>>
-        geometries_;
+    CardPreparer preparer_;  // only the worker touches it
     std::jthread thread_;
 };
 

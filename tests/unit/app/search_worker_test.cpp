@@ -58,7 +58,7 @@ class ThrowingSearcher : public app::Searcher {
 
 TEST_CASE("the newest drawing wins and submitting never waits", "[worker]") {
     SlowSearcher searcher;
-    app::SearchWorker worker(searcher);
+    app::SearchWorker worker(searcher, false);
     worker.submit(drawing_of(1));
     searcher.wait_until_started();
     std::uint64_t last = 0;
@@ -79,7 +79,7 @@ TEST_CASE("ending asks a running search to stop", "[worker]") {
     SlowSearcher searcher;
     const auto start = std::chrono::steady_clock::now();
     {
-        app::SearchWorker worker(searcher);
+        app::SearchWorker worker(searcher, false);
         worker.submit(drawing_of(1));
         searcher.wait_until_started();
         worker.submit(drawing_of(2));
@@ -90,7 +90,7 @@ TEST_CASE("ending asks a running search to stop", "[worker]") {
 
 TEST_CASE("a searcher that fails is reported and the worker goes on", "[worker]") {
     ThrowingSearcher searcher;
-    app::SearchWorker worker(searcher);
+    app::SearchWorker worker(searcher, false);
     for (int i = 1; i <= 3; ++i) {
         const auto answer = worker.wait_for(worker.submit(drawing_of(i)));
         REQUIRE(answer);
@@ -101,7 +101,7 @@ TEST_CASE("a searcher that fails is reported and the worker goes on", "[worker]"
 
 TEST_CASE("answers come with cards that are ready to paint", "[worker]") {
     test::FigureSearcher searcher(test::make_animals());
-    app::SearchWorker worker(searcher);
+    app::SearchWorker worker(searcher, true);
     const auto answer = worker.wait_for(worker.submit(test::make_horse_drawing()));
     REQUIRE(answer);
     REQUIRE(answer->cards.size() == 9);
