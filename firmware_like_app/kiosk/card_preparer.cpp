@@ -44,7 +44,7 @@ std::shared_ptr<const ui::ModelGeometry> CardPreparer::geometry_of(const FoundMo
         return known_.front().geometry;
     }
     known_.push_front({model.mesh, std::make_shared<const ui::ModelGeometry>(ui::make_model_geometry(*model.mesh))});
-    const std::shared_ptr<const ui::ModelGeometry> geometry = known_.front().geometry;
+    std::shared_ptr<const ui::ModelGeometry> geometry = known_.front().geometry;
     if (known_.size() > kMeshesKept) known_.pop_back();
     return geometry;
 }

@@ -19,7 +19,7 @@ struct CardFace {
     std::string name;
     std::string caption;    ///< a quiet second line on the best card; may be empty
     std::vector<int> tags;  ///< part colours, ascending
-    PictureId picture{};
+    PictureId picture{};    ///< 0: there is none, the name stands alone
     friend bool operator==(const CardFace&, const CardFace&) = default;
 };
 

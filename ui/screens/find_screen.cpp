@@ -169,6 +169,11 @@ class Drawer {
             best_text(face, a);
             return;
         }
+        if (face.picture == PictureId{}) {
+            centred_lines(list_, fonts_, fonts_.cut(face.name, type_.card_name, r.width - l_.px(24)), type_.card_name,
+                          palette::kInk.faded(a), r.centre_x(), r.centre_y(), r.width, 0);
+            return;
+        }
         const double x = r.x + l_.px(l_.compact ? 14 : 18);
         const double width = std::max(l_.card_pictures[i].x + l_.px(24) - x, l_.px(72));
         list_.text(fonts_, fonts_.cut(face.name, type_.card_name, width), type_.card_name, palette::kInk.faded(a), x,

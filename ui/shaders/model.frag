@@ -21,11 +21,11 @@ void main() {
     vec3 fill = normalize(vec3(0.75, 0.05, 0.60));
     float sky = 0.5 + 0.5 * normal.y;
     float diffuse = max(dot(normal, key) * 0.88 + 0.12, 0.0);
-    vec3 light = mix(vec3(0.50, 0.47, 0.44), vec3(0.66, 0.67, 0.69), sky)
+    vec3 light = mix(vec3(0.57, 0.54, 0.51), vec3(0.66, 0.67, 0.69), sky)
                + vec3(0.46, 0.45, 0.43) * diffuse
                + vec3(0.10, 0.10, 0.11) * max(dot(normal, fill), 0.0);
     float edge = pow(1.0 - clamp(normal.z, 0.0, 1.0), 2.0);
-    light *= 1.0 - 0.30 * edge;            // turns away, so that light parts keep a shaded edge
+    light *= 1.0 - 0.26 * edge;            // turns away, so that light parts keep a shaded edge
     float gloss = pow(max(dot(normal, normalize(key + vec3(0.0, 0.0, 1.0))), 0.0), 28.0);
     colour = vec4(min(surface * light + vec3(0.05) * gloss, 1.0), 1.0);
 }
