@@ -16,6 +16,9 @@ std::vector<StarterModel> starter_collection() {
     starter::add_tableware(models);
     starter::add_instruments(models);
     starter::add_road_vehicles(models);
+    starter::add_engines(models);
+    starter::add_boats(models);
+    starter::add_household(models);
     starter::add_tools(models);
     starter::add_plants(models);
     starter::add_buildings(models);

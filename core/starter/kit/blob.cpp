@@ -152,6 +152,13 @@ Rgb Blob::colour_at(Vec3 p, double softness) const {
 }
 
 TriangleMesh Blob::mesh(int cells) const {
+    TriangleMesh fine = meshed(cells);
+    if (fine.triangles.size() <= kMostTriangles) return fine;
+    const double share = std::sqrt(static_cast<double>(kMostTriangles) / static_cast<double>(fine.triangles.size()));
+    return meshed(static_cast<int>(cells * share));
+}
+
+TriangleMesh Blob::meshed(int cells) const {
     Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
     const auto cover = [&](Vec3 c, double r) {
         low = {std::min(low.x, c.x - r), std::min(low.y, c.y - r), std::min(low.z, c.z - r)};

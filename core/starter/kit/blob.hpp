@@ -35,9 +35,13 @@ class Blob {
 
     /// The surface, with cells of 1 / `cells` of the longest side of the bounding box. Time grows with cells squared
     /// times the number of primitives. Details thinner than two cells may vanish.
+    /// A surface of more than `kMostTriangles` is made again, coarser.
     [[nodiscard]] TriangleMesh mesh(int cells = 64) const;
+    static constexpr std::size_t kMostTriangles = 11500;
 
   private:
+    TriangleMesh meshed(int cells) const;
+
     struct Primitive {
         bool is_egg = false;
         Vec3 a, b;  ///< capsule: its ends; ellipsoid: centre and radii

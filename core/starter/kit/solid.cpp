@@ -63,6 +63,17 @@ std::vector<Point> inset(const std::vector<Point>& ring, double by) {
     return out;
 }
 
+/// Where the outline turns by more than about 40 degrees.
+std::vector<bool> sharp_corners(const std::vector<Point>& ring) {
+    std::vector<bool> out;
+    const std::size_t n = ring.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Point before = ring[i] - ring[(i + n - 1) % n], after = ring[(i + 1) % n] - ring[i];
+        out.push_back(dot(before, after) < 0.76 * length(before) * length(after));
+    }
+    return out;
+}
+
 }  // namespace
 
 TriangleMesh box(Vec3 centre, Vec3 size, double round, Rgb colour) {
@@ -130,23 +141,35 @@ TriangleMesh slab(std::vector<Point> outline, double thickness, double bevel, Rg
         }
         return first;
     };
-    const auto bridge = [&](std::uint32_t low, std::uint32_t high) {
-        for (std::uint32_t i = 0; i < n; ++i) {
-            const std::uint32_t j = (i + 1) % n;
-            mesh.triangles.push_back({low + i, low + j, high + j});
-            mesh.triangles.push_back({low + i, high + j, high + i});
-        }
-    };
     const std::uint32_t back = layer(small, -half), front = layer(small, half);
     for (const auto& t : ears(outline)) {
         mesh.triangles.push_back({front + t[0], front + t[1], front + t[2]});
         mesh.triangles.push_back({back + t[0], back + t[2], back + t[1]});
     }
-    const std::uint32_t l0 = layer(small, -half), l1 = layer(outline, -half + bevel), l2 = layer(outline, half - bevel),
-                        l3 = layer(small, half);
-    bridge(l0, l1);
-    bridge(l1, l2);
-    bridge(l2, l3);
+    // The rim: a vertex for the edge that comes and one for the edge that leaves, so that sharp corners stay sharp.
+    const std::vector<bool> sharp = sharp_corners(outline);
+    std::vector<std::array<std::uint32_t, 2>> last;
+    const auto rim = [&](const std::vector<Point>& ring, double z) {
+        std::vector<std::array<std::uint32_t, 2>> here;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+            for (int copy = 0; copy < (sharp[i] ? 2 : 1); ++copy) {
+                mesh.vertices.push_back({ring[i].x, ring[i].y, z});
+                mesh.colours.push_back(colour);
+            }
+            here.push_back({first, first + (sharp[i] ? 1U : 0U)});
+        }
+        for (std::uint32_t i = 0; i < n && !last.empty(); ++i) {
+            const std::uint32_t j = (i + 1) % n;
+            mesh.triangles.push_back({last[i][1], last[j][0], here[j][0]});
+            mesh.triangles.push_back({last[i][1], here[j][0], here[i][1]});
+        }
+        last = here;
+    };
+    rim(small, -half);
+    rim(outline, -half + bevel);
+    rim(outline, half - bevel);
+    rim(small, half);
     return mesh;
 }
 

@@ -17,9 +17,12 @@ inline void add_model(Models& models, std::string class_name, std::string name, 
 
 void add_aircraft(Models& models);
 void add_birds(Models& models);
+void add_boats(Models& models);
 void add_buildings(Models& models);
+void add_engines(Models& models);
 void add_furniture(Models& models);
 void add_hoofed_animals(Models& models);
+void add_household(Models& models);
 void add_insects(Models& models);
 void add_instruments(Models& models);
 void add_pets_and_wild_animals(Models& models);

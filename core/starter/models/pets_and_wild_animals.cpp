@@ -644,7 +644,7 @@ void add_zebras(Models& models) {
                             {a.neck_base + along * 0.6 + a.neck_up * 0.13, 0.09, 0.03},
                             {a.head + a.neck_up * 0.13, 0.06, 0.03}},
                            kInk));
-        TriangleMesh body = painted(a.body.mesh(80), [&](Vec3 p, Rgb c) {
+        TriangleMesh body = painted(a.body.mesh(66), [&](Vec3 p, Rgb c) {
             if (!(c == shape.coat) || p.y < 0.1) return c;
             double phase = p.x;
             if (p.y < shape.hip - shape.rump * 0.95) phase = p.y;

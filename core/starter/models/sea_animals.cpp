@@ -285,7 +285,7 @@ TriangleMesh octopus(double head, double reach, double curl, Rgb skin) {
                 skin);
     }
     Assembly a;
-    a.add(b.mesh(60));
+    a.add(b.mesh(46));
     a.pair_x(ball({head * 0.4, 0.52, head * 0.86}, {0.08, 0.09, 0.05}, kWhite, 10))
         .pair_x(ball({head * 0.4, 0.52, head * 0.86 + 0.04}, 0.04, kInk, 8));
     return a.mesh();

@@ -101,8 +101,8 @@ TEST_CASE("starter models are sound meshes with colours", "[starter]") {
     for (const core::StarterModel& m : collection()) {
         INFO(m.class_name << ": " << m.name);
         const core::TriangleMesh& mesh = m.mesh;
-        REQUIRE(mesh.triangles.size() >= 500);
-        CHECK(mesh.triangles.size() <= 25000);
+        REQUIRE(mesh.triangles.size() >= 300);
+        CHECK(mesh.triangles.size() <= 20000);
         REQUIRE(mesh.colours.size() == mesh.vertices.size());
         CHECK(std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
                           [](core::Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }));
