@@ -7,9 +7,12 @@ namespace core {
 std::vector<StarterModel> starter_collection() {
     std::vector<StarterModel> models;
     starter::add_hoofed_animals(models);
-    starter::add_pets_and_wild_animals(models);
+    starter::add_dogs_and_cats(models);
+    starter::add_farm_animals(models);
+    starter::add_wild_animals(models);
     starter::add_birds(models);
-    starter::add_sea_animals(models);
+    starter::add_fish_and_whales(models);
+    starter::add_shore_animals(models);
     starter::add_insects(models);
     starter::add_aircraft(models);
     starter::add_furniture(models);

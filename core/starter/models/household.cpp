@@ -1,5 +1,6 @@
 // Shoes, hats, spectacles, bulbs, toys and other things about the house.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -17,10 +18,11 @@ constexpr double kTurn = 6.283185307179586;
 
 void add_clothes(Models& models) {
     const auto shoe = [](double ankle, double toe, double length, double sole, Rgb upper, Rgb rubber, bool laces) {
+        const double instep = std::min(ankle - 0.02, 0.32);
         Blob b(0.08);
-        b.limb({-0.3 * length, 0.17, 0}, {0.3 * length, 0.13, 0}, 0.16, toe, upper)
-            .limb({-0.3 * length, 0.2, 0}, {-0.27 * length, ankle, 0}, 0.17, 0.145, upper)
-            .limb({-0.15 * length, 0.25, 0}, {0.2 * length, 0.14, 0}, 0.15, 0.12, upper);
+        b.limb({-0.33 * length, 0.14, 0}, {0.33 * length, 0.09, 0}, 0.13, toe, upper)
+            .limb({-0.34 * length, 0.16, 0}, {-0.3 * length, ankle, 0}, 0.13, 0.13, upper)
+            .limb({-0.28 * length, instep, 0}, {0.12 * length, 0.12, 0}, 0.1, 0.09, upper);
         Assembly a;
         a.add(scaled(b.mesh(52), {1.0, 1.0, 0.85}));
         const std::vector<Point> plan = closed_spline({{-0.47 * length, 0},
@@ -35,11 +37,12 @@ void add_clothes(Models& models) {
                                                       5);
         a.add(moved(turned_x(slab(plan, sole, 0.02, rubber), -90), {0, sole / 2 - 0.02, 0}));
         a.add(moved(scaled(ring({0, 0, 0}, {0, 1, 0}, 0.13, 0.028, lighter(upper)), {1.0, 1.0, 0.85}),
-                    {-0.27 * length, ankle + 0.06, 0}))
-            .add(moved(ball({0, 0, 0}, {0.125, 0.03, 0.1}, kInk, 10), {-0.27 * length, ankle + 0.135, 0}));
+                    {-0.3 * length, ankle + 0.06, 0}))
+            .add(moved(ball({0, 0, 0}, {0.125, 0.03, 0.1}, kInk, 10), {-0.3 * length, ankle + 0.115, 0}));
         for (int k = 0; k < 3 && laces; ++k) {
-            const double x = -0.06 * length + 0.11 * k, y = 0.43 - 0.075 * k + (ankle > 0.5 ? 0.03 : 0.0);
-            a.add(rod({x, y - 0.05, -0.1}, {x + 0.03, y - 0.05, 0.1}, 0.018, kWhite));
+            const double t = 0.45 + 0.2 * k;  // along the instep, from the ankle to the toe
+            const double x = -0.28 * length + 0.4 * length * t, y = instep + (0.12 - instep) * t + 0.115;
+            a.add(rod({x, y, -0.075}, {x + 0.03, y, 0.075}, 0.02, kWhite));
         }
         return facing_front(a.mesh());
     };
@@ -59,9 +62,6 @@ void add_clothes(Models& models) {
                                 {top * 0.92, height},
                                 {0, height * 0.97}},
                                felt, 48);
-        m = painted(std::move(m), [&](Vec3 p, Rgb c) {
-            return p.y > 0.049 && p.y < height * 0.3 && std::hypot(p.x, p.z) < crown * 1.05 ? band : c;
-        });
         join(m, lathe({{0, 0.05}, {crown * 1.03, 0.05}, {crown * 1.01, 0.05 + height * 0.2}, {0, 0.05 + height * 0.2}},
                       band, 48));
         return bent(m, [&](Vec3 p) {
@@ -106,23 +106,27 @@ void add_clothes(Models& models) {
     add_model(models, "eyeglasses", "Oval glasses", glasses(0.3, 0.17, 0.12, false, kBrass, kGlass));
     const auto crown = [](int tips, double r, double height, double low, Rgb gem) {
         Assembly a;
-        std::vector<Point> outline;
-        const double length = kTurn * r;
-        const int n = 8 * tips;
-        for (int k = 0; k <= n; ++k) {
-            const double u = static_cast<double>(k) / n, wave = std::abs(std::fmod(u * tips, 1.0) - 0.5) * 2.0;
-            outline.push_back({u * length, low + (height - low) * std::pow(1.0 - wave, 1.1)});
-        }
-        for (int k = n; k >= 0; --k) outline.push_back({static_cast<double>(k) / n * length, 0.0});
-        a.add(bent(slab(outline, 0.05, 0.012, kMustard), [&](Vec3 p) {
-            const double turn = p.x / r, out = r * (1.0 + 0.18 * p.y / height) + p.z;
-            return Vec3{out * std::sin(turn), p.y, out * std::cos(turn)};
+        const TriangleMesh cup = lathe({{0, 0},
+                                        {r, 0},
+                                        {r * 1.05, 0.25},
+                                        {r * 1.1, 0.5},
+                                        {r * 1.16, 0.75},
+                                        {r * 1.22, 1.0},
+                                        {r * 1.18, 1.0},
+                                        {r * 1.06, 0.5},
+                                        {r * 0.95, 0.05},
+                                        {0, 0.05}},
+                                       kMustard, 16 * tips);
+        a.add(bent(cup, [&](Vec3 p) {  // the rim rises to a tip in the middle of every section
+            const double wave = std::abs(std::fmod((std::atan2(p.x, p.z) / kTurn + 1.0) * tips, 1.0) - 0.5) * 2.0;
+            return Vec3{p.x, p.y * (low + (height - low) * (1.0 - wave)), p.z};
         }));
-        a.add(ring({0, 0.03, 0}, {0, 1, 0}, r + 0.01, 0.045, kBrass, 48))
-            .add(ball({0, 0.06, 0}, {r * 0.92, height * 0.62, r * 0.92}, kWine, 14));
+        a.add(ring({0, 0.03, 0}, {0, 1, 0}, r + 0.01, 0.045, kBrass, 48));
+        const double dome = height * 0.55;
+        a.add(lathe_smooth({{r * 0.98, 0.0}, {r * 0.95, dome * 0.6}, {r * 0.6, dome * 0.95}, {0, dome}}, kWine, 36));
         for (int k = 0; k < tips; ++k) {
             const double turn = kTurn * (k + 0.5) / tips;
-            a.add(ball({r * 1.18 * std::sin(turn), height + 0.03, r * 1.18 * std::cos(turn)}, 0.05, gem, 10))
+            a.add(ball({r * 1.2 * std::sin(turn), height + 0.03, r * 1.2 * std::cos(turn)}, 0.05, gem, 10))
                 .add(ball({r * 1.09 * std::sin(turn), low * 0.62, r * 1.09 * std::cos(turn)}, 0.04, gem, 8));
         }
         return a.mesh();

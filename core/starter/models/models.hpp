@@ -19,17 +19,20 @@ void add_aircraft(Models& models);
 void add_birds(Models& models);
 void add_boats(Models& models);
 void add_buildings(Models& models);
+void add_dogs_and_cats(Models& models);
 void add_engines(Models& models);
+void add_farm_animals(Models& models);
+void add_fish_and_whales(Models& models);
 void add_furniture(Models& models);
 void add_hoofed_animals(Models& models);
 void add_household(Models& models);
 void add_insects(Models& models);
 void add_instruments(Models& models);
-void add_pets_and_wild_animals(Models& models);
 void add_plants(Models& models);
 void add_road_vehicles(Models& models);
-void add_sea_animals(Models& models);
+void add_shore_animals(Models& models);
 void add_tableware(Models& models);
 void add_tools(Models& models);
+void add_wild_animals(Models& models);
 
 }  // namespace core::starter
