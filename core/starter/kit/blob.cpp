@@ -151,11 +151,24 @@ Rgb Blob::colour_at(Vec3 p, double softness) const {
     return {channel(r), channel(g), channel(b)};
 }
 
+double Blob::longest_blend() const {
+    double longest = 0.0;
+    for (const Primitive& s : primitives_) longest = std::max(longest, s.blend);
+    return longest;
+}
+
+Blob Blob::nearby(Vec3 place, double radius) const {
+    Blob near(blend_);
+    const double most = field(place) + 2.0 * radius + longest_blend();
+    for (const Primitive& s : primitives_)
+        if (distance_to(s, place) <= most) near.primitives_.push_back(s);
+    return near;
+}
+
 TriangleMesh Blob::mesh(int cells) const {
-    TriangleMesh fine = meshed(cells);
-    if (fine.triangles.size() <= kMostTriangles) return fine;
-    const double share = std::sqrt(static_cast<double>(kMostTriangles) / static_cast<double>(fine.triangles.size()));
-    return meshed(static_cast<int>(cells * share));
+    const double expected = 4.0 * static_cast<double>(meshed(cells / 2).triangles.size());
+    if (expected <= kMostTriangles) return meshed(cells);
+    return meshed(static_cast<int>(cells * std::sqrt(kMostTriangles / expected)));
 }
 
 TriangleMesh Blob::meshed(int cells) const {
@@ -178,17 +191,24 @@ TriangleMesh Blob::meshed(int cells) const {
     grid.nx = count(low.x, high.x);
     grid.ny = count(low.y, high.y);
     grid.nz = count(low.z, high.z);
-    double reach = 0.0;
-    for (const Primitive& s : primitives_) reach = std::max(reach, s.blend);
+    const double reach = longest_blend();
+    const int blocks_x = grid.nx / 4, blocks_y = grid.ny / 4;
+    std::vector<Blob> near(grid.at(grid.nx - 1, grid.ny - 1, grid.nz - 1) / 64 + 1, Blob(blend_));
+    const auto block = [&](int x, int y, int z) -> Blob& {
+        return near[static_cast<std::size_t>((z / 4 * blocks_y + y / 4) * blocks_x + x / 4)];
+    };
     grid.value.resize(grid.at(grid.nx - 1, grid.ny - 1, grid.nz - 1) + 1);
     for (int z = 0; z < grid.nz; z += 4)
         for (int y = 0; y < grid.ny; y += 4)
             for (int x = 0; x < grid.nx; x += 4) {
-                const double middle = field(grid.place(x, y, z) + Vec3{1.5, 1.5, 1.5} * grid.cell);
+                const Vec3 centre = grid.place(x, y, z) + Vec3{1.5, 1.5, 1.5} * grid.cell;
+                const double middle = field(centre);
                 const bool far = std::abs(middle) > 5.0 * grid.cell + reach;  // a block's half diagonal is 2.6 cells
+                Blob& local = block(x, y, z);
+                if (!far) local = nearby(centre, 4.0 * grid.cell);
                 for (int k = 0; k < 64; ++k) {
                     const int i = x + (k & 3), j = y + (k >> 2 & 3), l = z + (k >> 4);
-                    grid.value[grid.at(i, j, l)] = static_cast<float>(far ? middle : field(grid.place(i, j, l)));
+                    grid.value[grid.at(i, j, l)] = static_cast<float>(far ? middle : local.field(grid.place(i, j, l)));
                 }
             }
     TriangleMesh mesh;
@@ -198,11 +218,12 @@ TriangleMesh Blob::meshed(int cells) const {
             for (int x = 0; x + 1 < grid.nx; ++x) {
                 Vec3 p;
                 if (!crossing_mean(grid, x, y, z, p)) continue;
-                const double off = std::clamp(field(p), -0.5 * grid.cell, 0.5 * grid.cell);
-                p = p - gradient(p, 0.3 * grid.cell) * off;
+                const Blob& local = block(x, y, z);
+                const double off = std::clamp(local.field(p), -0.5 * grid.cell, 0.5 * grid.cell);
+                p = p - local.gradient(p, 0.3 * grid.cell) * off;
                 cell_vertex[grid.at(x, y, z)] = static_cast<std::uint32_t>(mesh.vertices.size());
                 mesh.vertices.push_back(p);
-                mesh.colours.push_back(colour_at(p, 0.9 * grid.cell));
+                mesh.colours.push_back(local.colour_at(p, 0.9 * grid.cell));
             }
     add_quads(grid, cell_vertex, mesh);
     return mesh;

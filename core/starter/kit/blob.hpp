@@ -35,12 +35,16 @@ class Blob {
 
     /// The surface, with cells of 1 / `cells` of the longest side of the bounding box. Time grows with cells squared
     /// times the number of primitives. Details thinner than two cells may vanish.
-    /// A surface of more than `kMostTriangles` is made again, coarser.
+    /// Cells are made larger where the surface would
+    /// have more than about `kMostTriangles`.
     [[nodiscard]] TriangleMesh mesh(int cells = 64) const;
     static constexpr std::size_t kMostTriangles = 11500;
 
   private:
     TriangleMesh meshed(int cells) const;
+    /// The primitives that can matter within `radius` of a place, as a body of their own: the same field there.
+    Blob nearby(Vec3 place, double radius) const;
+    double longest_blend() const;
 
     struct Primitive {
         bool is_egg = false;

@@ -85,9 +85,9 @@ TriangleMesh turtle(double shell_height, double flipper, double neck, Rgb shell,
     Assembly b;
     b.add(body);
     b.add(tube({{{0.45, 0.0, 0}, 0.1},
-                {{0.6 + neck * 0.5, 0.06, 0}, 0.09},
-                {{0.66 + neck, 0.12, 0}, 0.13},
-                {{0.8 + neck, 0.1, 0}, 0.09}},
+                {{0.57 + neck * 0.5, 0.05, 0}, 0.1},
+                {{0.71 + neck, 0.1, 0}, 0.12},
+                {{0.84 + neck, 0.09, 0}, 0.085}},
                skin));
     b.pair(ball({0.74 + neck, 0.17, 0.1}, 0.024, kInk, 8));
     b.pair(moved(

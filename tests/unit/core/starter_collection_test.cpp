@@ -102,7 +102,7 @@ TEST_CASE("starter models are sound meshes with colours", "[starter]") {
         INFO(m.class_name << ": " << m.name);
         const core::TriangleMesh& mesh = m.mesh;
         REQUIRE(mesh.triangles.size() >= 300);
-        CHECK(mesh.triangles.size() <= 20000);
+        CHECK(mesh.triangles.size() <= 19000);
         REQUIRE(mesh.colours.size() == mesh.vertices.size());
         CHECK(std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
                           [](core::Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }));
