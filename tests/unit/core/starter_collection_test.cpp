@@ -135,6 +135,17 @@ TEST_CASE("the starter collection", "[starter]") {
         }
     }
 
+    SECTION("and the check for closedness finds a hole and a turned face") {
+        core::TriangleMesh mesh = collection().front().mesh;
+        SECTION("a hole") {
+            mesh.triangles.pop_back();
+        }
+        SECTION("a turned face") {
+            std::swap(mesh.triangles.back()[0], mesh.triangles.back()[1]);
+        }
+        CHECK(open_edges(mesh) == 3);
+    }
+
     SECTION("models of one class differ in proportion, not only in scale") {
         std::map<std::string, std::vector<std::pair<core::Vec3, std::string>>> seen;
         for (const core::StarterModel& m : collection()) {
