@@ -9,6 +9,7 @@
 namespace core {
 
 BinaryImage object_mask(const GrayImage& image) {
+    if (image.pixels.empty()) return BinaryImage(image.width, image.height);
     const auto white = [&image](int x, int y) { return image.at(x, y) >= 128; };
     long border = 0, border_white = 0;
     const auto count = [&](int x, int y) {
