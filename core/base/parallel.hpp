@@ -15,9 +15,9 @@ namespace core {
     return n == 0 ? 1 : static_cast<int>(n);
 }
 
-/// Calls work(item, worker) for every item in [0, count), each once, on `jobs` threads of which the caller is one. Items are
-/// handed out in order; worker in [0, jobs) names the thread, for working memory of its own. Results must go to places
-/// that belong to the item. `work` must not throw.
+/// Calls work(item, worker) for every item in [0, count), each once, on `jobs` threads of which the caller is one.
+/// Items are handed out in order; worker in [0, jobs) names the thread, for working memory of its own. Results must go
+/// to places that belong to the item. `work` must not throw.
 inline void parallel_for(std::size_t count, int jobs, const std::function<void(std::size_t item, int worker)>& work) {
     std::atomic<std::size_t> next{0};
     const auto run = [&](int worker) {

@@ -18,7 +18,9 @@ struct Unexpected {
     Error error;
 };
 
-[[nodiscard]] inline Unexpected unexpected(Error error) { return Unexpected{std::move(error)}; }
+[[nodiscard]] inline Unexpected unexpected(Error error) {
+    return Unexpected{std::move(error)};
+}
 [[nodiscard]] inline Unexpected unexpected(ErrorCode code, std::string message, std::string where = {}) {
     return Unexpected{Error{code, std::move(message), std::move(where)}};
 }
@@ -26,7 +28,7 @@ struct Unexpected {
 template <typename T>
 class [[nodiscard]] Result {
   public:
-    Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}              // NOLINT: implicit as expected
+    Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}  // NOLINT: implicit as expected
     Result(Unexpected failure) : state_(std::in_place_index<1>, std::move(failure.error)) {}  // NOLINT
 
     [[nodiscard]] bool has_value() const { return state_.index() == 0; }

@@ -8,8 +8,8 @@ namespace core {
 
 namespace {
 
-/// Precision at recall k / 20: linear between the recall levels of the relevant results, 1 / C, 2 / C …; constant before the
-/// first.
+/// Precision at recall k / 20: linear between the recall levels of the relevant results, 1 / C, 2 / C …; constant
+/// before the first.
 void fill_precision(const std::vector<double>& precision_at_hit, std::array<double, kPrecisionRecallPoints>& out) {
     const double hits = static_cast<double>(precision_at_hit.size());
     for (std::size_t k = 0; k < out.size(); ++k) {

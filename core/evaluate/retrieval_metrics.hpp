@@ -21,8 +21,8 @@ struct RetrievalMetrics {
     std::array<double, kPrecisionRecallPoints> precision{};  ///< at recall 1/20, 2/20 … 1, linearly interpolated
 };
 
-/// Metrics of one ranking. relevant[i] says whether rank i + 1 has the query's class; class_size is C, the relevant ones in
-/// the collection, all of which must be in the ranking. C = 0 gives zeros.
+/// Metrics of one ranking. relevant[i] says whether rank i + 1 has the query's class; class_size is C, the relevant
+/// ones in the collection, all of which must be in the ranking. C = 0 gives zeros.
 [[nodiscard]] RetrievalMetrics metrics_of_ranking(const std::vector<char>& relevant, int class_size);
 
 /// Mean of several, zeros for none.
@@ -35,10 +35,11 @@ struct RetrievalMetrics {
 struct ShapeTest {
     std::vector<int> hits_by_rank;  ///< same-class results at rank 1, 2, …
     double total = 0.0;             ///< share of same-class results in the nearest `ranks`
-    double bullseye = 0.0;          ///< query included: same-class results in the nearest 2C, over C, averaged over queries
+    double bullseye = 0.0;  ///< query included: same-class results in the nearest 2C, over C, averaged over queries
 };
 
 /// distances: n x n, row: query. Ties by index.
-[[nodiscard]] ShapeTest shape_test(const std::vector<float>& distances, const std::vector<std::string>& classes, int ranks);
+[[nodiscard]] ShapeTest shape_test(const std::vector<float>& distances, const std::vector<std::string>& classes,
+                                   int ranks);
 
 }  // namespace core

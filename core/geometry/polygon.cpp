@@ -34,7 +34,8 @@ Polygon convex_hull(std::vector<Point> points) {
     if (points.size() < 3) return points;
     Polygon hull;
     const auto extend = [&hull](Point p, std::size_t floor) {
-        while (hull.size() > floor && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0) hull.pop_back();
+        while (hull.size() > floor && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0)
+            hull.pop_back();
         hull.push_back(p);
     };
     for (const Point& p : points) extend(p, 1);
@@ -94,7 +95,9 @@ Polyline walk(const Polyline& chain, double step, int count) {
 
 }  // namespace
 
-Polygon resample_ring(const Polygon& ring, int count) { return walk(ring, perimeter(ring) / count, count); }
+Polygon resample_ring(const Polygon& ring, int count) {
+    return walk(ring, perimeter(ring) / count, count);
+}
 
 Polyline resample_chain(const Polyline& chain, int count) {
     Polyline out = walk(chain, chain_length(chain) / (count - 1), count);

@@ -16,9 +16,9 @@ struct Rgb {
 };
 
 struct TriangleMesh {
-    std::vector<Vec3> vertices;                          ///< any unit, any side up
-    std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices into vertices; either winding
-    std::vector<Rgb> colours;                            ///< one per vertex, or empty: all clay
+    std::vector<Vec3> vertices;                           ///< any unit, any side up
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into vertices; either winding
+    std::vector<Rgb> colours;                             ///< one per vertex, or empty: all clay
 
     [[nodiscard]] bool empty() const { return triangles.empty(); }
 };

@@ -15,8 +15,8 @@ struct DescribedShape {
     ShapeDescriptor descriptor;
 };
 
-/// Describes an anti-clockwise contour (y up). A shape that falls into fewer than two parts has the whole outline as its
-/// only terminal, so that everything has a finite distance to everything. BadOutline when it encloses no area.
+/// Describes an anti-clockwise contour (y up). A shape that falls into fewer than two parts has the whole outline as
+/// its only terminal, so that everything has a finite distance to everything. BadOutline when it encloses no area.
 [[nodiscard]] Result<DescribedShape> describe_in_steps(const Polygon& contour, const ShapeParameters& parameters = {});
 
 /// The descriptor alone.

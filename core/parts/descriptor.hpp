@@ -14,15 +14,15 @@ namespace core {
 
 /// The geometric attributes of section 5.4, items 1 to 9, unweighted.
 enum class Feature : std::size_t {
-    Area,                ///< per cent of the shape's area
-    Perimeter,           ///< per cent of the shape's perimeter
-    Eccentricity,        ///< height away from the shape / width along it, of the least bounding rectangle; > 0
-    Circularity,         ///< 4 pi a / p^2, in (0, 1]
-    Rectangularity,      ///< area / area of the least bounding rectangle, in (0, 1]
-    Convexity,           ///< reversed: (1 - hull perimeter / perimeter) * N_shape / N_hull, >= 0
-    Solidity,            ///< reversed: (1 - area / hull area) * N_shape / N_hull, >= 0
-    BendingEnergy,       ///< sum of discrete curvature over the arc, shape scaled to unit radius
-    ChordLengthRatio,    ///< chord length / arc length, in (0, 1]
+    Area,              ///< per cent of the shape's area
+    Perimeter,         ///< per cent of the shape's perimeter
+    Eccentricity,      ///< height away from the shape / width along it, of the least bounding rectangle; > 0
+    Circularity,       ///< 4 pi a / p^2, in (0, 1]
+    Rectangularity,    ///< area / area of the least bounding rectangle, in (0, 1]
+    Convexity,         ///< reversed: (1 - hull perimeter / perimeter) * N_shape / N_hull, >= 0
+    Solidity,          ///< reversed: (1 - area / hull area) * N_shape / N_hull, >= 0
+    BendingEnergy,     ///< sum of discrete curvature over the arc, shape scaled to unit radius
+    ChordLengthRatio,  ///< chord length / arc length, in (0, 1]
     Count,
 };
 
@@ -44,12 +44,12 @@ struct Part {
 
 /// Everything that matching needs of one shape. A shape without terminals has none and is described by `whole` alone.
 struct ShapeDescriptor {
-    std::vector<Point> samples;       ///< SampleSize points, anti-clockwise, y up, in the pixels of the image described
+    std::vector<Point> samples;  ///< SampleSize points, anti-clockwise, y up, in the pixels of the image described
     int terminal_count = 0;
-    std::vector<Part> parts;          ///< terminals first, in ring order, then the wings
-    std::vector<int> stop_points;     ///< terminals at which a configuration may start (6.1), ascending
-    Part whole;                       ///< the whole outline seen as one part; the fallback for shapes without parts
-    double skeletal_length = 0.0;     ///< of 7.1.2, in pixels
+    std::vector<Part> parts;       ///< terminals first, in ring order, then the wings
+    std::vector<int> stop_points;  ///< terminals at which a configuration may start (6.1), ascending
+    Part whole;                    ///< the whole outline seen as one part; the fallback for shapes without parts
+    double skeletal_length = 0.0;  ///< of 7.1.2, in pixels
     friend bool operator==(const ShapeDescriptor&, const ShapeDescriptor&) = default;
 };
 

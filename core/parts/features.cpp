@@ -9,8 +9,12 @@ namespace core {
 
 namespace {
 
-float& feature(Part& part, Feature f) { return part.features[static_cast<std::size_t>(f)]; }
-double feature(const Part& part, Feature f) { return part.features[static_cast<std::size_t>(f)]; }
+float& feature(Part& part, Feature f) {
+    return part.features[static_cast<std::size_t>(f)];
+}
+double feature(const Part& part, Feature f) {
+    return part.features[static_cast<std::size_t>(f)];
+}
 
 /// The samples of the arc, both ends included.
 Polyline chain_of(const Polygon& samples, const ArcMeasures& arcs, Arc arc) {
@@ -22,7 +26,8 @@ Polyline chain_of(const Polygon& samples, const ArcMeasures& arcs, Arc arc) {
     return chain;
 }
 
-/// Height away from the body over width along it. The rectangle's side that the chord projects on longest lies along the body.
+/// Height away from the body over width along it. The rectangle's side that the chord projects on longest lies along
+/// the body.
 double eccentricity(const OrientedRectangle& box, Point chord) {
     const double on_along = std::abs(dot(chord, box.axis)), on_across = std::abs(cross(box.axis, chord));
     double width = on_along >= on_across ? box.along : box.across;
@@ -71,7 +76,8 @@ Part measure_part(const Polygon& samples, const ArcMeasures& arcs, Arc arc, cons
     const Polygon hull = convex_hull(ring);
     const OrientedRectangle box = least_rectangle(hull);
     const double hull_area = std::max(signed_area(hull), area);
-    const double raggedness = static_cast<double>(ring.size()) / static_cast<double>(std::max<std::size_t>(hull.size(), 1));
+    const double raggedness =
+        static_cast<double>(ring.size()) / static_cast<double>(std::max<std::size_t>(hull.size(), 1));
     const auto set = [&part](Feature f, double v) { feature(part, f) = static_cast<float>(v); };
     set(Feature::Area, 100.0 * area / arcs.area());
     set(Feature::Perimeter, 100.0 * arc_length / arcs.perimeter());

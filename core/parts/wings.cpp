@@ -52,7 +52,9 @@ std::vector<Part> parts_of(const Skeleton& skeleton, const PartTree& tree, const
         const int n = skeleton.arcs.count();
         int best = 0;
         for (int k = 0; k < terminal_count; ++k) {
-            const auto ahead = [&](int t) { return (parts[static_cast<std::size_t>(t)].start_sample - sample + n) % n; };
+            const auto ahead = [&](int t) {
+                return (parts[static_cast<std::size_t>(t)].start_sample - sample + n) % n;
+            };
             if (ahead(k) < ahead(best)) best = k;
         }
         return best;
@@ -60,7 +62,8 @@ std::vector<Part> parts_of(const Skeleton& skeleton, const PartTree& tree, const
     for (const int id : tree.bottom_up) {
         const auto node = static_cast<std::size_t>(id);
         if (skeleton.graph.nodes[node].kind != PieceKind::Terminal) {
-            Part wing = measure_part(skeleton.samples, skeleton.arcs, arc_of_node(skeleton, id, tree.parent_chord[node]), p);
+            Part wing =
+                measure_part(skeleton.samples, skeleton.arcs, arc_of_node(skeleton, id, tree.parent_chord[node]), p);
             wing.salient = is_salient(skeleton.samples, skeleton.arcs, wing, p);
             wing.first_terminal = first_terminal_from(wing.start_sample);
             wing.terminal_count = grouped[node];

@@ -34,7 +34,8 @@ BinaryImage object_mask(const GrayImage& image) {
 
 namespace {
 
-/// The side of a pixel that faces the background, with the outward normal as a quarter turn: 0 east, 1 north, 2 west, 3 south.
+/// The side of a pixel that faces the background, with the outward normal as a quarter turn: 0 east, 1 north, 2 west, 3
+/// south.
 struct Crack {
     int x = 0, y = 0, normal = 0;
     friend bool operator==(const Crack&, const Crack&) = default;
@@ -62,7 +63,8 @@ class CrackTracer {
         return x >= 0 && y >= 0 && x < image_.width && y < image_.height && image_.at(x, y) != 0;
     }
 
-    /// Walks with the object on the left. Pixels that touch at a corner are joined: the turn to the right is tried first.
+    /// Walks with the object on the left. Pixels that touch at a corner are joined: the turn to the right is tried
+    /// first.
     [[nodiscard]] Crack next(const Crack& c) const {
         const auto normal = static_cast<std::size_t>(c.normal);
         const std::size_t ahead = (normal + 1) % 4;

@@ -11,16 +11,16 @@ namespace core {
 /// Returns 1 for the object. A page of one shade gives an image without a single 1.
 [[nodiscard]] BinaryImage object_mask(const GrayImage& image);
 
-/// The outer contour of the largest object (by the area that it encloses, holes filled), as the ring of the midpoints of its pixel
-/// edges: anti-clockwise, y UP (y = -row), in pixels, so that lines along 0, 45 and 90 degrees come out straight and
-/// even a line one pixel wide has two sides that never touch. Pixels that meet at a corner only belong together.
-/// The ring starts at its lowest, then leftmost vertex whatever the order of the pixels, and moves with the object exactly.
-/// TooSmall when no object encloses at least `least_area` square pixels; EmptyDrawing when there is no object at all.
-/// Linear in the number of pixels.
+/// The outer contour of the largest object (by the area that it encloses, holes filled), as the ring of the midpoints
+/// of its pixel edges: anti-clockwise, y UP (y = -row), in pixels, so that lines along 0, 45 and 90 degrees come out
+/// straight and even a line one pixel wide has two sides that never touch. Pixels that meet at a corner only belong
+/// together. The ring starts at its lowest, then leftmost vertex whatever the order of the pixels, and moves with the
+/// object exactly. TooSmall when no object encloses at least `least_area` square pixels; EmptyDrawing when there is no
+/// object at all. Linear in the number of pixels.
 [[nodiscard]] Result<Polygon> largest_contour(const BinaryImage& image, double least_area = 4.0);
 
-/// The contour in the form that the skeleton reads: `count` points evenly spaced, smoothed along the ring by a Gaussian of
-/// `sigma` points, scale and position kept. Reading notes: about 400 points and sigma 2.
+/// The contour in the form that the skeleton reads: `count` points evenly spaced, smoothed along the ring by a Gaussian
+/// of `sigma` points, scale and position kept. Reading notes: about 400 points and sigma 2.
 [[nodiscard]] Polygon smooth_contour(const Polygon& contour, int count, double sigma);
 
 }  // namespace core

@@ -30,9 +30,13 @@ double ArcMeasures::span(const std::vector<double>& sums, int from, int to) cons
     return from < to ? ahead : ahead + sums.back();
 }
 
-int ArcMeasures::steps(int from, int to) const { return from < to ? to - from : to - from + count(); }
+int ArcMeasures::steps(int from, int to) const {
+    return from < to ? to - from : to - from + count();
+}
 
-double ArcMeasures::length(int from, int to) const { return span(length_, from, to); }
+double ArcMeasures::length(int from, int to) const {
+    return span(length_, from, to);
+}
 
 double ArcMeasures::area(int from, int to) const {
     return 0.5 * (span(cross_, from, to) +

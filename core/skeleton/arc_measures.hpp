@@ -23,8 +23,8 @@ class ArcMeasures {
     [[nodiscard]] double length(int from, int to) const;
     /// Area between the arc and its chord; positive where the arc bulges out of the shape.
     [[nodiscard]] double area(int from, int to) const;
-    /// Sum of discrete curvature over the samples from `from` to `to`, both included (5.4 item 8): the shape is scaled by the
-    /// reciprocal of the greatest distance of a sample to the centroid.
+    /// Sum of discrete curvature over the samples from `from` to `to`, both included (5.4 item 8): the shape is scaled
+    /// by the reciprocal of the greatest distance of a sample to the centroid.
     [[nodiscard]] double bending(int from, int to) const;
     [[nodiscard]] int count() const { return static_cast<int>(samples_.size()); }
 

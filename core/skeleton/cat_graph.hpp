@@ -1,5 +1,6 @@
 #pragma once
-// The graph of the pieces, which for a shape without holes is a tree, and the skeleton drawn through them (thesis 5.2, 5.3).
+// The graph of the pieces, which for a shape without holes is a tree, and the skeleton drawn through them
+// (thesis 5.2, 5.3).
 
 #include <vector>
 
@@ -30,8 +31,8 @@ struct CatGraph {
 /// centroid in terminals and junctions, from middle to middle in sleeves.
 [[nodiscard]] CatGraph cat_graph(const Polygon& samples, const Triangulation& triangulation, const Segmentation& s);
 
-/// Sum of the skeletal segments of terminals and sleeves and of the three longest of each junction (7.1.2), in the unit of
-/// the samples. 0 for a shape that is not cut.
+/// Sum of the skeletal segments of terminals and sleeves and of the three longest of each junction (7.1.2), in the unit
+/// of the samples. 0 for a shape that is not cut.
 [[nodiscard]] double skeletal_length(const CatGraph& graph);
 
 }  // namespace core

@@ -17,7 +17,9 @@ int third_vertex(const Triangle& t, const Chord& c) {
     return c.u;  // unreachable for a triangle of the chord
 }
 
-double angle_at(Point apex, Point a, Point b) { return std::atan2(std::abs(cross(a - apex, b - apex)), dot(a - apex, b - apex)); }
+double angle_at(Point apex, Point a, Point b) {
+    return std::atan2(std::abs(cross(a - apex, b - apex)), dot(a - apex, b - apex));
+}
 
 /// Samples strictly inside the arc from `from` to `to` when the disc over the chord holds all of them, else 0.
 int samples_in_half_disk(const Polygon& samples, int from, int to) {

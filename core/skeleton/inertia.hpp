@@ -11,12 +11,12 @@ struct InertiaAxis {
     Point direction{1.0, 0.0};
 };
 
-/// From the second moments of the area inside the ring. A ring without area, and one as round as a disc, where the axis is
-/// undefined, give the direction (1, 0).
+/// From the second moments of the area inside the ring. A ring without area, and one as round as a disc, where the axis
+/// is undefined, give the direction (1, 0).
 [[nodiscard]] InertiaAxis axis_of_least_inertia(const Polygon& ring);
 
-/// The ring stretched by `factor` along the axis, about its centre. For the triangulation alone: near-circular arcs, on which
-/// Delaunay is a matter of rounding, then triangulate in one way.
+/// The ring stretched by `factor` along the axis, about its centre. For the triangulation alone: near-circular arcs, on
+/// which Delaunay is a matter of rounding, then triangulate in one way.
 [[nodiscard]] Polygon stretched_along(const Polygon& ring, const InertiaAxis& axis, double factor);
 
 }  // namespace core

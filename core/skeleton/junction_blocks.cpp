@@ -63,10 +63,10 @@ class Strain {
 /// Adjacent junctions, numbered within the block, and the chords between them.
 struct Block {
     std::vector<int> pieces;
-    std::vector<int> chords;                  // connecting
-    std::vector<std::pair<int, int>> joins;   // for each connecting chord the two members
+    std::vector<int> chords;                 // connecting
+    std::vector<std::pair<int, int>> joins;  // for each connecting chord the two members
     std::vector<Mass> masses;
-    std::vector<std::vector<int>> outer;      // for each member its other chords
+    std::vector<std::vector<int>> outer;  // for each member its other chords
 };
 
 std::vector<Block> junction_blocks(const Triangulation& t, const Segmentation& s, const Strain& strain) {
@@ -80,7 +80,8 @@ std::vector<Block> junction_blocks(const Triangulation& t, const Segmentation& s
         for (std::size_t k = 0; k < block.pieces.size(); ++k) {
             const int piece = block.pieces[k];
             Mass mass;
-            for (const int triangle : s.pieces[static_cast<std::size_t>(piece)].triangles) mass.add(strain.mass_of(triangle));
+            for (const int triangle : s.pieces[static_cast<std::size_t>(piece)].triangles)
+                mass.add(strain.mass_of(triangle));
             block.masses.push_back(mass);
             block.outer.emplace_back();
             for (const int chord : s.pieces[static_cast<std::size_t>(piece)].chords) {
@@ -177,7 +178,8 @@ Segmentation with_merged_junctions(const Polygon& samples, const Triangulation& 
     std::vector<char> cuts = s.cuts;
     for (const Block& block : junction_blocks(triangulation, s, strain)) {
         const bool small = static_cast<int>(block.chords.size()) <= parameters.junction_block_limit;
-        const std::vector<char> kept = small ? least_strain_exhaustive(block, strain) : least_strain_greedy(block, strain);
+        const std::vector<char> kept =
+            small ? least_strain_exhaustive(block, strain) : least_strain_greedy(block, strain);
         for (std::size_t c = 0; c < kept.size(); ++c) cuts[static_cast<std::size_t>(block.chords[c])] = kept[c];
     }
     return segment(triangulation, std::move(cuts));
@@ -197,7 +199,8 @@ int triangle_inside(const Triangulation& t, const Segmentation& s, int piece, in
     return s.piece_of_triangle[static_cast<std::size_t>(c.inner)] == piece ? c.inner : c.outer;
 }
 
-/// The chord to which the cut moves when the triangle at `chord` is trimmed away; -1 when that would change the topology.
+/// The chord to which the cut moves when the triangle at `chord` is trimmed away; -1 when that would change the
+/// topology.
 int chord_behind(const Triangulation& t, int triangle, int chord) {
     const Triangle& tri = t.triangles[static_cast<std::size_t>(triangle)];
     if (tri.role() != TriangleRole::Sleeve) return -1;

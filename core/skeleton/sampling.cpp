@@ -55,9 +55,8 @@ void assign_samples(std::vector<Stretch>& stretches, double total_length, int co
     }
     std::vector<std::size_t> order(stretches.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return stretches[a].cornerity > stretches[b].cornerity;
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return stretches[a].cornerity > stretches[b].cornerity; });
     for (std::size_t k = 0; assigned < count; k = (k + 1) % order.size(), ++assigned) ++stretches[order[k]].samples;
     for (; assigned > count; --assigned) {  // the least of one sample for each corner took too many
         --std::max_element(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) {

@@ -9,9 +9,9 @@ namespace core {
 
 /// `count` samples of the contour in its own direction. Each stretch between two consecutive corners gets the share of
 /// samples that its length has of the perimeter, rounded down but at least one (its first corner); what is left
-/// over goes one by one to the stretches with the greatest cumulative cornerity. Within a stretch the samples are evenly spaced by
-/// arc length. Without corners the ring is sampled evenly from its first point. `cornerity` has one value a contour point.
-/// There must be fewer corners than samples; surplus corners of least cornerity are ignored.
+/// over goes one by one to the stretches with the greatest cumulative cornerity. Within a stretch the samples are
+/// evenly spaced by arc length. Without corners the ring is sampled evenly from its first point. `cornerity` has one
+/// value a contour point. There must be fewer corners than samples; surplus corners of least cornerity are ignored.
 [[nodiscard]] Polygon sample_outline(const Polygon& contour, const std::vector<double>& cornerity,
                                      const std::vector<int>& corners, int count);
 

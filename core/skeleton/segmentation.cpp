@@ -63,7 +63,8 @@ bool turns_clockwise(const Polygon& samples, Arc arc, double more_than_deg) {
 }
 
 bool is_insignificant(const Polygon& samples, const ArcMeasures& arcs, Arc arc, const ShapeParameters& p) {
-    const double chord = distance(samples[static_cast<std::size_t>(arc.from)], samples[static_cast<std::size_t>(arc.to)]);
+    const double chord =
+        distance(samples[static_cast<std::size_t>(arc.from)], samples[static_cast<std::size_t>(arc.to)]);
     const double ratio = chord / arcs.length(arc.from, arc.to);
     const double share = arcs.area(arc.from, arc.to) / arcs.area();
     const bool flat = ratio > p.thresh_any_clr || (share < p.small_area && ratio > p.thresh_small_clr);

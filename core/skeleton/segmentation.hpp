@@ -24,8 +24,8 @@ struct Piece {
 };
 
 struct Segmentation {
-    std::vector<char> cuts;               ///< one flag a chord
-    std::vector<Piece> pieces;            ///< ordered by their first triangle
+    std::vector<char> cuts;     ///< one flag a chord
+    std::vector<Piece> pieces;  ///< ordered by their first triangle
     std::vector<int> piece_of_triangle;
     /// The piece on the other side of one of its chords.
     [[nodiscard]] int neighbour(int piece, int chord, const Triangulation& t) const {
@@ -45,8 +45,8 @@ struct Arc {
 };
 [[nodiscard]] Arc arc_behind(const Segmentation& s, const Triangulation& t, int piece, int chord);
 
-/// Merges insignificant terminals (5.2.2) until none is left: flat ones, by the ratio of chord to arc, that have no clockwise
-/// turn along their arc.
+/// Merges insignificant terminals (5.2.2) until none is left: flat ones, by the ratio of chord to arc, that have no
+/// clockwise turn along their arc.
 [[nodiscard]] Segmentation without_insignificant_terminals(const Polygon& samples, const ArcMeasures& arcs,
                                                            const Triangulation& triangulation, Segmentation s,
                                                            const ShapeParameters& parameters);

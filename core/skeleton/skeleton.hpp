@@ -1,6 +1,6 @@
 #pragma once
-// From a contour to the rectified chordal axis transform: the steps of thesis 5.1 and 5.2 in order, each kept for whoever
-// wants to look at it.
+// From a contour to the rectified chordal axis transform: the steps of thesis 5.1 and 5.2 in order, each kept for
+// whoever wants to look at it.
 
 #include "core/base/result.hpp"
 #include "core/skeleton/cat_graph.hpp"
@@ -10,13 +10,13 @@
 namespace core {
 
 struct Skeleton {
-    Polygon contour;                  ///< smoothed, evenly spaced
-    std::vector<double> cornerity;    ///< one a contour point
-    std::vector<int> corners;         ///< contour points
-    Polygon samples;                  ///< anti-clockwise
-    ArcMeasures arcs;                 ///< of the samples
+    Polygon contour;                ///< smoothed, evenly spaced
+    std::vector<double> cornerity;  ///< one a contour point
+    std::vector<int> corners;       ///< contour points
+    Polygon samples;                ///< anti-clockwise
+    ArcMeasures arcs;               ///< of the samples
     InertiaAxis axis;
-    Triangulation triangulation;      ///< of the samples stretched along the axis
+    Triangulation triangulation;  ///< of the samples stretched along the axis
     ChordProfile profile;
     Segmentation csp_pieces;          ///< as the extended profile cuts
     Segmentation significant_pieces;  ///< insignificant terminals merged

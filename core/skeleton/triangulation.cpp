@@ -16,7 +16,8 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<char, Kernel>>;
+using FaceBase =
+    CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<char, Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
@@ -42,11 +43,12 @@ std::vector<std::array<int, 3>> inner_triangles(const Polygon& ring) {
     std::vector<Cdt::Vertex_handle> handles;
     handles.reserve(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
-        handles.push_back(cdt.insert(Kernel::Point_2(ring[i].x, ring[i].y),
-                                     i > 0 ? handles.back()->face() : Cdt::Face_handle()));
+        handles.push_back(
+            cdt.insert(Kernel::Point_2(ring[i].x, ring[i].y), i > 0 ? handles.back()->face() : Cdt::Face_handle()));
         handles.back()->info() = static_cast<int>(i);
     }
-    for (std::size_t i = 0; i < handles.size(); ++i) cdt.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
+    for (std::size_t i = 0; i < handles.size(); ++i)
+        cdt.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
     mark_outside(cdt);
     std::vector<std::array<int, 3>> triangles;
     for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) {
@@ -55,11 +57,14 @@ std::vector<std::array<int, 3>> inner_triangles(const Polygon& ring) {
         std::sort(t.begin(), t.end());
         triangles.push_back(t);
     }
-    std::sort(triangles.begin(), triangles.end());  // CGAL's order depends on the order of insertion only, ours on nothing
+    std::sort(triangles.begin(),
+              triangles.end());  // CGAL's order depends on the order of insertion only, ours on nothing
     return triangles;
 }
 
-bool on_outline(int u, int v, int n) { return v == u + 1 || (u == 0 && v == n - 1); }
+bool on_outline(int u, int v, int n) {
+    return v == u + 1 || (u == 0 && v == n - 1);
+}
 
 Triangulation with_chords(const std::vector<std::array<int, 3>>& triangles, int n) {
     Triangulation out;
@@ -93,7 +98,8 @@ Result<Triangulation> triangulate(const Polygon& ring) {
     try {
         const std::vector<std::array<int, 3>> triangles = inner_triangles(ring);
         if (triangles.size() + 2 != ring.size()) {
-            return unexpected(ErrorCode::BadOutline, "the outline crosses or touches itself and cannot be triangulated");
+            return unexpected(ErrorCode::BadOutline,
+                              "the outline crosses or touches itself and cannot be triangulated");
         }
         return with_chords(triangles, static_cast<int>(ring.size()));
     } catch (const std::exception&) {  // CGAL reports crossing constraints so

@@ -27,7 +27,9 @@ struct Triangle {
     std::array<int, 3> chords{};    ///< chord along (0,1), (1,2), (2,0), or -1 for an edge of the outline
     [[nodiscard]] TriangleRole role() const {
         const int on_outline = (chords[0] < 0) + (chords[1] < 0) + (chords[2] < 0);
-        return on_outline >= 2 ? TriangleRole::Terminal : on_outline == 1 ? TriangleRole::Sleeve : TriangleRole::Junction;
+        return on_outline >= 2   ? TriangleRole::Terminal
+               : on_outline == 1 ? TriangleRole::Sleeve
+                                 : TriangleRole::Junction;
     }
 };
 
@@ -36,8 +38,8 @@ struct Triangulation {
     std::vector<Chord> chords;  ///< ordered by (u, v)
 };
 
-/// Triangulates the inside of a simple anti-clockwise ring; exact predicates, so cocircular and collinear samples are no
-/// trouble. BadOutline for fewer than three samples or a ring that crosses itself. n log n.
+/// Triangulates the inside of a simple anti-clockwise ring; exact predicates, so cocircular and collinear samples are
+/// no trouble. BadOutline for fewer than three samples or a ring that crosses itself. n log n.
 [[nodiscard]] Result<Triangulation> triangulate(const Polygon& ring);
 
 /// The chords in the order in which an anti-clockwise walk along the outline meets them, each twice (fig. 5.3):

@@ -13,7 +13,7 @@ struct PenSample {
     std::int64_t time_us = 0;  ///< monotonic, from the start of the drawing
     double x = 0.0;            ///< in the drawing's own units, y DOWN as sheets, screens and files have it
     double y = 0.0;
-    double pressure = 1.0;     ///< 0 … 1; 1 where the device reports none
+    double pressure = 1.0;  ///< 0 … 1; 1 where the device reports none
 };
 
 /// From tip down to tip up. Never empty in a Drawing.

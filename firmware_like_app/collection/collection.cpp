@@ -24,7 +24,8 @@ core::Result<Collection> Collection::load(const std::string& database, const cor
     return collection;
 }
 
-std::vector<RankedModel> Collection::distances(const core::MatchableShape& query, int jobs, std::stop_token stop) const {
+std::vector<RankedModel> Collection::distances(const core::MatchableShape& query, int jobs,
+                                               std::stop_token stop) const {
     std::vector<RankedModel> all(models_.size());
     std::vector<core::Matcher> matchers(static_cast<std::size_t>(std::max(1, jobs)));
     core::parallel_for(models_.size(), std::max(1, jobs), [&](std::size_t i, int worker) {

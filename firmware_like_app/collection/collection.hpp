@@ -33,7 +33,8 @@ class Collection {
 
     /// All models, nearest first, ties by id: drawing and mirror image against both views. The ranks do not depend on
     /// `jobs`. A requested stop gives an unfinished answer soon.
-    [[nodiscard]] std::vector<RankedModel> rank(const core::MatchableShape& query, int jobs, std::stop_token stop = {}) const;
+    [[nodiscard]] std::vector<RankedModel> rank(const core::MatchableShape& query, int jobs,
+                                                std::stop_token stop = {}) const;
     /// The same ranking as distances in the order of models().
     [[nodiscard]] std::vector<RankedModel> distances(const core::MatchableShape& query, int jobs,
                                                      std::stop_token stop = {}) const;

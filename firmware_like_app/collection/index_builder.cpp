@@ -53,13 +53,14 @@ core::Result<std::vector<std::string>> files_of(const std::vector<std::string>& 
                 }
             }
             if (error) {
-                return core::unexpected(core::ErrorCode::FileUnreadable, "the folder cannot be read; check its permissions",
-                                        path);
+                return core::unexpected(core::ErrorCode::FileUnreadable,
+                                        "the folder cannot be read; check its permissions", path);
             }
         } else if (fs::exists(path, error)) {
             files.insert(canonical_text(path));
         } else {
-            return core::unexpected(core::ErrorCode::FileMissing, "there is no such file or folder; check the path", path);
+            return core::unexpected(core::ErrorCode::FileMissing, "there is no such file or folder; check the path",
+                                    path);
         }
     }
     return std::vector<std::string>(files.begin(), files.end());
@@ -73,7 +74,9 @@ struct Content {
 
 core::Result<Content> content_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) return core::unexpected(core::ErrorCode::FileUnreadable, "the file cannot be read; check its permissions", path);
+    if (!file)
+        return core::unexpected(core::ErrorCode::FileUnreadable, "the file cannot be read; check its permissions",
+                                path);
     Content content;
     content.hash = core::fnv1a64({});
     std::vector<char> buffer(1 << 16);
@@ -114,7 +117,8 @@ void describe_job(Job& job, const Content& content, const ViewParameters& parame
     }
 }
 
-/// Adds what the jobs made, one transaction for all; if that is refused, one by one, so that one bad model spoils no other.
+/// Adds what the jobs made, one transaction for all; if that is refused, one by one, so that one bad model spoils no
+/// other.
 core::Result<void> store(std::vector<Job>& jobs, db::TwoViewIndex& index, IndexBuildReport& report) {
     std::vector<db::ModelRecord> records;
     for (Job& job : jobs) {
@@ -157,11 +161,13 @@ core::Result<IndexBuildReport> build_index(const IndexBuildOptions& options, std
     const core::Result<std::vector<std::string>> files = files_of(options.paths);
     if (!files) return core::unexpected(files.error());
     if (files->empty()) {
-        return core::unexpected(core::ErrorCode::FileMissing, "there is no 3D model in it; give a folder with OFF, OBJ, STL, PLY, "
-                                "glTF, DAE or 3DS files", options.paths.empty() ? "" : options.paths.front());
+        return core::unexpected(core::ErrorCode::FileMissing,
+                                "there is no 3D model in it; give a folder with OFF, OBJ, STL, PLY, "
+                                "glTF, DAE or 3DS files",
+                                options.paths.empty() ? "" : options.paths.front());
     }
-    core::Result<db::TwoViewIndex> index =
-        db::TwoViewIndex::open(options.database, db::OpenMode::Create, {.parameters = parameters_text(options.parameters)});
+    core::Result<db::TwoViewIndex> index = db::TwoViewIndex::open(options.database, db::OpenMode::Create,
+                                                                  {.parameters = parameters_text(options.parameters)});
     if (!index) return core::unexpected(index.error());
     std::map<std::string, std::string> class_of;
     for (const core::LabelledFile& file : options.classes) class_of[canonical_text(file.path)] = file.class_name;

@@ -12,8 +12,8 @@
 namespace app {
 
 struct IndexBuildOptions {
-    std::vector<std::string> paths;                 ///< files, and folders to search recursively
-    std::vector<core::LabelledFile> classes;        ///< class names by file
+    std::vector<std::string> paths;           ///< files, and folders to search recursively
+    std::vector<core::LabelledFile> classes;  ///< class names by file
     std::string database;
     int jobs = 1;
     ViewParameters parameters;
@@ -37,8 +37,9 @@ struct IndexBuildProgress {
     std::size_t total = 0;
 };
 
-/// Adds in the order of paths, so that ids do not depend on the number of jobs. A bad file is reported and passed over. Looks at
-/// `stop` after every few models; what was added stays. FileMissing for a path that is not there; the index's own errors.
+/// Adds in the order of paths, so that ids do not depend on the number of jobs. A bad file is reported and passed over.
+/// Looks at `stop` after every few models; what was added stays. FileMissing for a path that is not there; the index's
+/// own errors.
 [[nodiscard]] core::Result<IndexBuildReport> build_index(const IndexBuildOptions& options, std::stop_token stop,
                                                          const std::function<void(IndexBuildProgress)>& progress);
 

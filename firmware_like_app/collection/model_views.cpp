@@ -19,14 +19,15 @@ std::string parameters_text(const ViewParameters& v) {
     constexpr int kDescriberVersion = 1;  // raise when the same parameters lead to another descriptor
     const core::ShapeParameters& p = v.shape;
     char text[512];
-    std::snprintf(text, sizeof text,
-                  "describer %d; px %d; longest %d; display %zu; contour %d %g; window %d; extent %g; samples %d; scale %g; "
-                  "insignificant %g %g %g %g; large %g; long %g %g %g %g; bent %d %g %g; unit %g; block %d; depth %g %g; wing %d",
-                  kDescriberVersion, v.silhouette_px, v.longest, v.display_triangles, p.contour_points, p.contour_sigma,
-                  p.window, p.extent, p.sample_size, p.scale_coef, p.small_area, p.thresh_small_clr, p.thresh_any_clr,
-                  p.sharp_turn_deg, p.large_t, p.small_long_t, p.small_et, p.large_long_t, p.large_et, p.n_pockets,
-                  p.size_bent_t, p.convexity_t, p.signature_unit, p.junction_block_limit, p.depth_threshold_first,
-                  p.depth_threshold_step, p.wing_salient_limit);
+    std::snprintf(
+        text, sizeof text,
+        "describer %d; px %d; longest %d; display %zu; contour %d %g; window %d; extent %g; samples %d; scale %g; "
+        "insignificant %g %g %g %g; large %g; long %g %g %g %g; bent %d %g %g; unit %g; block %d; depth %g %g; wing %d",
+        kDescriberVersion, v.silhouette_px, v.longest, v.display_triangles, p.contour_points, p.contour_sigma, p.window,
+        p.extent, p.sample_size, p.scale_coef, p.small_area, p.thresh_small_clr, p.thresh_any_clr, p.sharp_turn_deg,
+        p.large_t, p.small_long_t, p.small_et, p.large_long_t, p.large_et, p.n_pockets, p.size_bent_t, p.convexity_t,
+        p.signature_unit, p.junction_block_limit, p.depth_threshold_first, p.depth_threshold_step,
+        p.wing_salient_limit);
     return text;
 }
 
@@ -34,7 +35,8 @@ namespace {
 
 /// The contour of one view in the image plane; nothing where the model shows nothing.
 std::optional<core::Polygon> outline_in_plane(const core::TriangleMesh& mesh, int camera, int px) {
-    const core::BinaryImage image = core::render_silhouette(mesh, core::cameras()[static_cast<std::size_t>(camera)], px);
+    const core::BinaryImage image =
+        core::render_silhouette(mesh, core::cameras()[static_cast<std::size_t>(camera)], px);
     core::Result<core::Polygon> contour = core::largest_contour(image);
     if (!contour) return std::nullopt;
     for (core::Point& p : *contour) p = core::to_image_plane({p.x + 0.5, 0.5 - p.y}, px);

@@ -18,8 +18,8 @@ struct ViewParameters {
 /// All parameters as text: a model described with another text is stale.
 [[nodiscard]] std::string parameters_text(const ViewParameters& parameters);
 
-/// Fills in views and display mesh of the record; the other fields are the caller's. BadMesh or EmptyMesh when the model shows no
-/// silhouette from anywhere.
+/// Fills in views and display mesh of the record; the other fields are the caller's. BadMesh or EmptyMesh when the
+/// model shows no silhouette from anywhere.
 [[nodiscard]] core::Result<void> describe_model(const core::TriangleMesh& mesh, const ViewParameters& parameters,
                                                 db::ModelRecord& record);
 

@@ -37,7 +37,8 @@ core::Result<SketchDescription> describe_image(const core::GrayImage& image, con
 
 }  // namespace
 
-core::Result<SketchDescription> describe_drawing(const core::Drawing& drawing, const core::ShapeParameters& parameters) {
+core::Result<SketchDescription> describe_drawing(const core::Drawing& drawing,
+                                                 const core::ShapeParameters& parameters) {
     const Stopwatch watch;
     const core::Result<core::Silhouette> silhouette = core::find_silhouette(drawing, {});
     if (!silhouette) return core::unexpected(silhouette.error());

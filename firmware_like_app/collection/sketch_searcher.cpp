@@ -7,7 +7,8 @@
 
 namespace app {
 
-core::Result<std::unique_ptr<SketchSearcher>> SketchSearcher::open(const std::string& database, int jobs, int best_count) {
+core::Result<std::unique_ptr<SketchSearcher>> SketchSearcher::open(const std::string& database, int jobs,
+                                                                   int best_count) {
     core::Result<Collection> collection = Collection::load(database);
     if (!collection) return core::unexpected(collection.error());
     core::Result<db::TwoViewIndex> index = db::TwoViewIndex::open(database, db::OpenMode::ReadOnly);
@@ -21,7 +22,8 @@ SketchSearcher::SketchSearcher(Collection collection, db::TwoViewIndex index, in
 
 std::shared_ptr<const core::TriangleMesh> SketchSearcher::mesh_of(std::int64_t id) {
     constexpr std::size_t kKept = 64;
-    const auto found = std::find_if(meshes_.begin(), meshes_.end(), [id](const auto& entry) { return entry.first == id; });
+    const auto found =
+        std::find_if(meshes_.begin(), meshes_.end(), [id](const auto& entry) { return entry.first == id; });
     if (found != meshes_.end()) {
         meshes_.splice(meshes_.begin(), meshes_, found);
         return found->second;
@@ -49,7 +51,8 @@ core::Polygon ring_of(const core::ShapeDescriptor& shape, int part) {
 }
 
 /// Colours go to the parts of the drawing in order of size, so that the same part keeps its colour on every card.
-std::vector<FoundPart> parts_of(const core::Match& match, const SketchDescription& query, const core::ShapeDescriptor& view) {
+std::vector<FoundPart> parts_of(const core::Match& match, const SketchDescription& query,
+                                const core::ShapeDescriptor& view) {
     const core::ShapeDescriptor& drawn = query.shape.descriptor;
     std::vector<core::MatchedPair> pairs = match.pairs;
     const auto area = [&drawn](const core::MatchedPair& p) {

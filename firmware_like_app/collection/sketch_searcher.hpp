@@ -1,5 +1,6 @@
 #pragma once
-// What the kiosk finds: a drawing's best models, with the regions of matched parts on the drawing and in the model's view.
+// What the kiosk finds: a drawing's best models, with the regions of matched parts on the drawing and in the model's
+// view.
 
 #include <list>
 #include <memory>
@@ -12,8 +13,8 @@ namespace app {
 
 class SketchSearcher : public Searcher {
   public:
-    /// Opens the index a second time for display meshes, which are read when a model is shown first and then kept, the last
-    /// few dozen of them. Errors of Collection::load.
+    /// Opens the index a second time for display meshes, which are read when a model is shown first and then kept, the
+    /// last few dozen of them. Errors of Collection::load.
     [[nodiscard]] static core::Result<std::unique_ptr<SketchSearcher>> open(const std::string& database, int jobs,
                                                                             int best_count);
 

@@ -50,7 +50,8 @@ core::Result<core::LabelledList> read_list(const EvalOptions& options) {
         if (list->missing.size() > 20) break;
         std::fprintf(stderr, "croquis: %s: listed but not there\n", missing.path.c_str());
     }
-    if (list->missing.size() > 20) std::fprintf(stderr, "croquis: %zu listed files are not there\n", list->missing.size());
+    if (list->missing.size() > 20)
+        std::fprintf(stderr, "croquis: %zu listed files are not there\n", list->missing.size());
     return list;
 }
 
@@ -125,19 +126,29 @@ void run_shapes(const EvalOptions& options, CommandState& state) {
     const double us_per_pair = match_ms * 1000.0 * options.jobs / static_cast<double>(n * n);
     if (options.json) {
         const ordered_json row{{"hits_by_rank", test.hits_by_rank}, {"total", test.total}, {"bullseye", test.bullseye}};
-        const ordered_json out{{"queries", n}, {"rows", {{"parts", row}}}, {"us_per_pair", {{"parts", us_per_pair}}},
+        const ordered_json out{{"queries", n},
+                               {"rows", {{"parts", row}}},
+                               {"us_per_pair", {{"parts", us_per_pair}}},
                                {"ms_per_query", match_ms / static_cast<double>(n)}};
         std::printf("%s\n", out.dump().c_str());
         return;
     }
-    std::printf("%zu shapes, parts: %.2f %% of the class in the nearest %d, bull's-eye %.2f %%, %.1f us a pair\n  hits by rank:", n,
-                100.0 * test.total, ranks, 100.0 * test.bullseye, us_per_pair);
+    std::printf(
+        "%zu shapes, parts: %.2f %% of the class in the nearest %d, bull's-eye %.2f %%, %.1f us a pair\n  hits by "
+        "rank:",
+        n, 100.0 * test.total, ranks, 100.0 * test.bullseye, us_per_pair);
     for (const int hits : test.hits_by_rank) std::printf(" %d", hits);
     std::printf("\n");
 }
 
 ordered_json to_json(const core::RetrievalMetrics& m) {
-    return {{"NN", m.nn}, {"FT", m.ft}, {"ST", m.st}, {"E", m.e}, {"DCG", m.dcg}, {"AP", m.ap}, {"precision_recall", m.precision}};
+    return {{"NN", m.nn},
+            {"FT", m.ft},
+            {"ST", m.st},
+            {"E", m.e},
+            {"DCG", m.dcg},
+            {"AP", m.ap},
+            {"precision_recall", m.precision}};
 }
 
 /// Rankings of all queries, and how long each took.
@@ -189,13 +200,17 @@ void run_sketches(const EvalOptions& options, CommandState& state) {
                                {"models", collection->models().size()},
                                {"rows", {{"parts", to_json(mean)}}},
                                {"by_class", classes},
-                               {"ms_per_query", {{"median", percentile(test.ms, 0.5)}, {"p95", percentile(test.ms, 0.95)},
-                                                 {"p99", percentile(test.ms, 0.99)}, {"max", percentile(test.ms, 1.0)}}}};
+                               {"ms_per_query",
+                                {{"median", percentile(test.ms, 0.5)},
+                                 {"p95", percentile(test.ms, 0.95)},
+                                 {"p99", percentile(test.ms, 0.99)},
+                                 {"max", percentile(test.ms, 1.0)}}}};
         std::printf("%s\n", out.dump().c_str());
         return;
     }
     const auto print = [](const char* name, const core::RetrievalMetrics& m) {
-        std::printf("%-16s NN %.3f  FT %.3f  ST %.3f  E %.3f  DCG %.3f  AP %.3f\n", name, m.nn, m.ft, m.st, m.e, m.dcg, m.ap);
+        std::printf("%-16s NN %.3f  FT %.3f  ST %.3f  E %.3f  DCG %.3f  AP %.3f\n", name, m.nn, m.ft, m.st, m.e, m.dcg,
+                    m.ap);
     };
     std::printf("%zu sketches, %zu models; a query takes %.1f ms (median), %.1f ms (p95)\n", queries.shapes.size(),
                 collection->models().size(), percentile(test.ms, 0.5), percentile(test.ms, 0.95));

@@ -33,7 +33,9 @@ std::stop_source& interruption() {
     return source;
 }
 
-extern "C" void on_interrupt(int) { interruption().request_stop(); }
+extern "C" void on_interrupt(int) {
+    interruption().request_stop();
+}
 
 void show_progress(const Stopwatch& watch, IndexBuildProgress p) {
     const double s = watch.ms() / 1000.0;
@@ -53,12 +55,13 @@ void print_build_report(const IndexBuildReport& report, bool as_json) {
     if (as_json) {
         ordered_json failed = ordered_json::array();
         for (const IndexBuildFailure& f : report.failed) failed.push_back({{"file", f.file}, {"why", f.why}});
-        const ordered_json out{{"added", report.added}, {"skipped", report.skipped}, {"failed", failed}, {"ms", report.ms}};
+        const ordered_json out{
+            {"added", report.added}, {"skipped", report.skipped}, {"failed", failed}, {"ms", report.ms}};
         std::printf("%s\n", out.dump().c_str());
         return;
     }
-    std::printf("%d added, %d unchanged, %zu not readable, %.1f s\n", report.added, report.skipped, report.failed.size(),
-                report.ms / 1000.0);
+    std::printf("%d added, %d unchanged, %zu not readable, %.1f s\n", report.added, report.skipped,
+                report.failed.size(), report.ms / 1000.0);
 }
 
 void run_build(const IndexOptions& options, CommandState& state) {
@@ -100,7 +103,8 @@ void run_list(const IndexOptions& options, CommandState& state) {
     ordered_json out = ordered_json::array();
     for (const db::ModelEntry& e : *entries) {
         if (options.json) {
-            out.push_back({{"id", e.id}, {"name", e.name}, {"class", e.class_name}, {"path", e.source_path}, {"stale", e.stale}});
+            out.push_back(
+                {{"id", e.id}, {"name", e.name}, {"class", e.class_name}, {"path", e.source_path}, {"stale", e.stale}});
         } else {
             std::printf("%lld\t%s\t%s\t%s%s\n", static_cast<long long>(e.id), e.name.c_str(), e.class_name.c_str(),
                         e.source_path.c_str(), e.stale ? "\tstale" : "");
@@ -117,12 +121,19 @@ void run_show(const IndexOptions& options, CommandState& state) {
     if (!model) return fail(state, model.error());
     ordered_json views = ordered_json::array();
     for (const db::ModelView& v : model->views) {
-        views.push_back({{"camera", v.camera_number}, {"direction", {v.camera.direction.x, v.camera.direction.y, v.camera.direction.z}},
-                         {"skeletal_length", v.skeletal_length}, {"asymmetry", v.asymmetry},
-                         {"terminals", v.descriptor.terminal_count}, {"parts", v.descriptor.parts.size()}});
+        views.push_back({{"camera", v.camera_number},
+                         {"direction", {v.camera.direction.x, v.camera.direction.y, v.camera.direction.z}},
+                         {"skeletal_length", v.skeletal_length},
+                         {"asymmetry", v.asymmetry},
+                         {"terminals", v.descriptor.terminal_count},
+                         {"parts", v.descriptor.parts.size()}});
     }
-    const ordered_json out{{"id", model->id}, {"name", model->name}, {"class", model->class_name}, {"path", model->source_path},
-                           {"triangles", model->display_mesh.triangles.size()}, {"views", views}};
+    const ordered_json out{{"id", model->id},
+                           {"name", model->name},
+                           {"class", model->class_name},
+                           {"path", model->source_path},
+                           {"triangles", model->display_mesh.triangles.size()},
+                           {"views", views}};
     std::printf("%s\n", out.dump(options.json ? -1 : 2).c_str());
 }
 

@@ -40,8 +40,9 @@ core::Result<std::vector<NamedDrawing>> read_replays(const std::vector<std::stri
         core::Result<core::Sketch> sketch = core::read_sketch(file);
         if (!sketch) return core::unexpected(sketch.error());
         if (!sketch->drawing) {
-            return core::unexpected(core::ErrorCode::UnknownFormat,
-                                    "a picture has no strokes to replay; give an SVG, InkML, Quick-Draw line or stroke list", file);
+            return core::unexpected(
+                core::ErrorCode::UnknownFormat,
+                "a picture has no strokes to replay; give an SVG, InkML, Quick-Draw line or stroke list", file);
         }
         drawings.push_back({file, std::move(*sketch->drawing)});
     }
@@ -55,13 +56,16 @@ std::unique_ptr<SketchSearcher> open_collection(const KioskCommandOptions& optio
         kiosk.notice = ui::Notice::NoModels;
         return nullptr;
     }
-    core::Result<std::unique_ptr<SketchSearcher>> searcher = SketchSearcher::open(options.database, options.jobs, kBest);
+    core::Result<std::unique_ptr<SketchSearcher>> searcher =
+        SketchSearcher::open(options.database, options.jobs, kBest);
     if (!searcher) {
         std::fprintf(stderr, "croquis: %s\n", searcher.error().sentence().c_str());
-        kiosk.notice = searcher.error().code == core::ErrorCode::FileMissing ? ui::Notice::CollectionMissing : ui::Notice::CollectionDamaged;
+        kiosk.notice = searcher.error().code == core::ErrorCode::FileMissing ? ui::Notice::CollectionMissing
+                                                                             : ui::Notice::CollectionDamaged;
         return nullptr;
     }
-    for (const db::Damage& d : (*searcher)->collection().damaged()) std::fprintf(stderr, "croquis: %s\n", d.sentence().c_str());
+    for (const db::Damage& d : (*searcher)->collection().damaged())
+        std::fprintf(stderr, "croquis: %s\n", d.sentence().c_str());
     if ((*searcher)->collection().models().empty()) {
         kiosk.notice = ui::Notice::NoModels;
         return nullptr;
@@ -83,12 +87,20 @@ void print_report(const KioskReport& report, bool as_json) {
         }
         ordered_json shots = ordered_json::array();
         for (const auto& shot : r.shots) shots.push_back(shot.string());
-        replays.push_back({{"drawing", r.name}, {"ids", r.ids}, {"models", r.names}, {"message", r.message_key},
-                           {"failure", r.failure}, {"searches", r.searches}, {"shots", shots},
-                           {"ms", {{"silhouette", r.silhouette_ms}, {"describe", r.describe_ms}, {"search", r.search_ms}}}});
+        replays.push_back(
+            {{"drawing", r.name},
+             {"ids", r.ids},
+             {"models", r.names},
+             {"message", r.message_key},
+             {"failure", r.failure},
+             {"searches", r.searches},
+             {"shots", shots},
+             {"ms", {{"silhouette", r.silhouette_ms}, {"describe", r.describe_ms}, {"search", r.search_ms}}}});
     }
     if (!as_json) return;
-    const ordered_json out{{"replays", replays}, {"frames", report.frames}, {"renderer", report.renderer},
+    const ordered_json out{{"replays", replays},
+                           {"frames", report.frames},
+                           {"renderer", report.renderer},
                            {"frame_ms", {{"median", report.median_frame_ms}, {"worst", report.worst_frame_ms}}}};
     std::printf("%s\n", out.dump().c_str());
 }
@@ -98,7 +110,8 @@ void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) 
     if (!options.size.empty()) {
         kiosk.size = parse_size(options.size);
         if (!kiosk.size) {
-            std::fprintf(stderr, "croquis: --size %s: give WIDTHxHEIGHT from 320x240 to 8192x8192\n", options.size.c_str());
+            std::fprintf(stderr, "croquis: --size %s: give WIDTHxHEIGHT from 320x240 to 8192x8192\n",
+                         options.size.c_str());
             state.exit_code = 2;
             return;
         }

@@ -40,7 +40,8 @@ Answer search(const core::ShapeDescriptor& query, const Collection& collection, 
     answer.ranked.resize(std::min(answer.ranked.size(), static_cast<std::size_t>(options.top)));
     core::Matcher matcher;
     for (const RankedModel& r : answer.ranked) {
-        answer.matches.push_back(matcher.match(shape, collection.models()[r.model].views[static_cast<std::size_t>(r.view)]));
+        answer.matches.push_back(
+            matcher.match(shape, collection.models()[r.model].views[static_cast<std::size_t>(r.view)]));
     }
     answer.search_ms = watch.ms();
     return answer;
@@ -55,11 +56,18 @@ void print_json(const Answer& answer, const Collection& collection, const Sketch
         for (const core::MatchedPair& p : answer.matches[k].pairs) {
             parts.push_back({{"query", p.part_a}, {"model", p.part_b}, {"cost", p.cost()}});
         }
-        results.push_back({{"rank", k + 1}, {"model", model.name}, {"class", model.class_name}, {"distance", r.distance},
-                           {"view", r.view}, {"id", model.id}, {"mirrored", answer.matches[k].reversed}, {"parts", parts}});
+        results.push_back({{"rank", k + 1},
+                           {"model", model.name},
+                           {"class", model.class_name},
+                           {"distance", r.distance},
+                           {"view", r.view},
+                           {"id", model.id},
+                           {"mirrored", answer.matches[k].reversed},
+                           {"parts", parts}});
     }
-    const ordered_json out{{"results", results},
-                           {"ms", {{"silhouette", query.silhouette_ms}, {"describe", query.describe_ms}, {"search", answer.search_ms}}}};
+    const ordered_json out{
+        {"results", results},
+        {"ms", {{"silhouette", query.silhouette_ms}, {"describe", query.describe_ms}, {"search", answer.search_ms}}}};
     std::printf("%s\n", out.dump().c_str());
 }
 
@@ -70,7 +78,8 @@ core::Result<void> draw(const Answer& answer, const Collection& collection, cons
         const RankedModel& r = answer.ranked[k];
         const db::ModelRecord& model = collection.models()[r.model].record;
         items.push_back({&query, &model.views[static_cast<std::size_t>(r.view)].descriptor, &answer.matches[k],
-                         std::to_string(k + 1) + ".", model.name + (model.class_name.empty() ? "" : " (" + model.class_name + ")")});
+                         std::to_string(k + 1) + ".",
+                         model.name + (model.class_name.empty() ? "" : " (" + model.class_name + ")")});
     }
     return ui::write_match_picture(items, path);
 }
@@ -80,7 +89,8 @@ void run_query(const QueryOptions& options, CommandState& state) {
     if (!collection) return fail(state, collection.error());
     for (const db::Damage& d : collection->damaged()) std::fprintf(stderr, "croquis: %s\n", d.sentence().c_str());
     if (collection->models().empty()) {
-        return fail(state, {core::ErrorCode::FileMissing, "the index has no models; add some with croquis index build", options.database});
+        return fail(state, {core::ErrorCode::FileMissing, "the index has no models; add some with croquis index build",
+                            options.database});
     }
     const core::Result<SketchDescription> query = describe_file(options.sketch);
     if (!query) return fail(state, query.error());
@@ -92,7 +102,8 @@ void run_query(const QueryOptions& options, CommandState& state) {
     if (options.json) return print_json(answer, *collection, *query);
     for (std::size_t k = 0; k < answer.ranked.size(); ++k) {
         const db::ModelRecord& model = collection->models()[answer.ranked[k].model].record;
-        std::printf("%3zu  %-28s %-16s %8.2f\n", k + 1, model.name.c_str(), model.class_name.c_str(), answer.ranked[k].distance);
+        std::printf("%3zu  %-28s %-16s %8.2f\n", k + 1, model.name.c_str(), model.class_name.c_str(),
+                    answer.ranked[k].distance);
     }
     std::printf("silhouette %.1f ms, description %.1f ms, search %.1f ms\n", query->silhouette_ms, query->describe_ms,
                 answer.search_ms);

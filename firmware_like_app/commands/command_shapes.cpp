@@ -22,8 +22,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array<const char*, core::kFeatureCount> kFeatureNames{
-    "area", "perimeter", "eccentricity", "circularity", "rectangularity", "convexity", "solidity", "bending_energy", "clr"};
+constexpr std::array<const char*, core::kFeatureCount> kFeatureNames{"area",        "perimeter",      "eccentricity",
+                                                                     "circularity", "rectangularity", "convexity",
+                                                                     "solidity",    "bending_energy", "clr"};
 
 ordered_json to_json(const core::Part& part) {
     ordered_json features;
@@ -37,7 +38,9 @@ ordered_json to_json(const core::Part& part) {
             {"signature", part.signature}};
 }
 
-std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+std::string file_name(const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+}
 
 struct DescribeOptions {
     std::string shape, picture;
@@ -72,7 +75,8 @@ void run_describe(const DescribeOptions& options, CommandState& state) {
     const core::Result<SketchDescription> description = describe_file(options.shape);
     if (!description) return fail(state, description.error());
     if (!options.picture.empty()) {
-        const auto written = ui::write_description_picture(description->shape, file_name(options.shape), options.picture);
+        const auto written =
+            ui::write_description_picture(description->shape, file_name(options.shape), options.picture);
         if (!written) return fail(state, written.error());
     }
     print_description(options.shape, description->shape, options.json);
@@ -85,20 +89,28 @@ struct MatchOptions {
 
 void print_match(const core::Match& match, bool as_json) {
     if (as_json) {
-        ordered_json out{{"distance", match.distance}, {"reversed", match.reversed}, {"pairs", ordered_json::array()},
-                         {"left_out_a", match.left_out_a}, {"left_out_b", match.left_out_b},
-                         {"left_out_cost", match.left_out_cost}};
+        ordered_json out{{"distance", match.distance},     {"reversed", match.reversed},
+                         {"pairs", ordered_json::array()}, {"left_out_a", match.left_out_a},
+                         {"left_out_b", match.left_out_b}, {"left_out_cost", match.left_out_cost}};
         for (const core::MatchedPair& p : match.pairs) {
-            out["pairs"].push_back({{"a", p.part_a}, {"b", p.part_b}, {"cost", p.cost()}, {"features", p.features},
-                                    {"signature", p.signature}, {"d_e", p.d_e}, {"d_be", p.d_be}, {"d_a", p.d_a}});
+            out["pairs"].push_back({{"a", p.part_a},
+                                    {"b", p.part_b},
+                                    {"cost", p.cost()},
+                                    {"features", p.features},
+                                    {"signature", p.signature},
+                                    {"d_e", p.d_e},
+                                    {"d_be", p.d_be},
+                                    {"d_a", p.d_a}});
         }
         std::printf("%s\n", out.dump().c_str());
         return;
     }
     std::printf("distance %.3f%s\n", match.distance, match.reversed ? " (mirrored)" : "");
     for (const core::MatchedPair& p : match.pairs) {
-        std::printf("  part %2d and part %2d: %8.3f = features %.3f + signature %.3f + place %.3f + bending %.3f + angle %.3f\n",
-                    p.part_a, p.part_b, p.cost(), p.features, p.signature, p.d_e, p.d_be, p.d_a);
+        std::printf(
+            "  part %2d and part %2d: %8.3f = features %.3f + signature %.3f + place %.3f + bending %.3f + angle "
+            "%.3f\n",
+            p.part_a, p.part_b, p.cost(), p.features, p.signature, p.d_e, p.d_be, p.d_a);
     }
     std::printf("  left out: %zu and %zu terminals, %.3f\n", match.left_out_a.size(), match.left_out_b.size(),
                 match.left_out_cost);

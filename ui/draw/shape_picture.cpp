@@ -34,7 +34,8 @@ struct CairoDeleter {
 class Page {
   public:
     Page(int width, int height)
-        : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)), cairo_(cairo_create(surface_.get())) {
+        : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)),
+          cairo_(cairo_create(surface_.get())) {
         colour(kSheet);
         cairo_paint(cairo_.get());
         cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
@@ -186,7 +187,8 @@ void draw_chords(const Panel& panel, const core::Skeleton& s) {
     panel.stroke(s.samples, kInk, 1.2);
 }
 
-void draw_pieces(const Panel& panel, const core::Skeleton& s, const core::Segmentation& pieces, const core::CatGraph* graph) {
+void draw_pieces(const Panel& panel, const core::Skeleton& s, const core::Segmentation& pieces,
+                 const core::CatGraph* graph) {
     for (const core::Piece& piece : pieces.pieces) {
         for (const int t : piece.triangles) {
             const Polygon corners = triangle_of(s, s.triangulation.triangles[static_cast<std::size_t>(t)]);
@@ -237,7 +239,9 @@ void draw_wings(const Panel& panel, const core::ShapeDescriptor& d) {
     panel.fill(d.samples, kClay, 0.5);
     std::vector<std::size_t> order;
     for (std::size_t i = static_cast<std::size_t>(d.terminal_count); i < d.parts.size(); ++i) order.push_back(i);
-    const auto area = [&d](std::size_t i) { return d.parts[i].features[static_cast<std::size_t>(core::Feature::Area)]; };
+    const auto area = [&d](std::size_t i) {
+        return d.parts[i].features[static_cast<std::size_t>(core::Feature::Area)];
+    };
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return area(a) > area(b); });
     for (std::size_t k = 0; k < order.size(); ++k) {
         const Polygon ring = ring_of(d, d.parts[order[k]]);
@@ -256,10 +260,14 @@ core::Result<void> write_description_picture(const core::DescribedShape& shape, 
                                              const std::string& path) {
     const core::Skeleton& s = shape.skeleton;
     constexpr int kColumns = 4;
-    const std::array<std::string, 8> names{"Corners and samples",      "Terminal, sleeve, junction triangles",
-                                           "Chord profile",            "Polygons",
-                                           "Significant, skeleton",    "Depth and tree",
-                                           "Terminals (bold: salient)", "Wings"};
+    const std::array<std::string, 8> names{"Corners and samples",
+                                           "Terminal, sleeve, junction triangles",
+                                           "Chord profile",
+                                           "Polygons",
+                                           "Significant, skeleton",
+                                           "Depth and tree",
+                                           "Terminals (bold: salient)",
+                                           "Wings"};
     const Page page(static_cast<int>(kColumns * kPanel), static_cast<int>(2.0 * (kPanel + kHead) + 40.0));
     page.text(16.0, 28.0, 20.0, kInk, title);
     for (int k = 0; k < 8; ++k) {
@@ -267,14 +275,30 @@ core::Result<void> write_description_picture(const core::DescribedShape& shape, 
         page.text(x + 16.0, y + 20.0, 15.0, kMuted, names[static_cast<std::size_t>(k)]);
         const Panel panel(page, s.samples, x, y + kHead, kPanel);
         switch (k) {
-            case 0: draw_sampling(panel, s); break;
-            case 1: draw_triangles(panel, s); break;
-            case 2: draw_chords(panel, s); break;
-            case 3: draw_pieces(panel, s, s.csp_pieces, nullptr); break;
-            case 4: draw_pieces(panel, s, s.pieces, &s.graph); break;
-            case 5: draw_depth(panel, shape); break;
-            case 6: draw_terminals(panel, shape.descriptor); break;
-            default: draw_wings(panel, shape.descriptor); break;
+            case 0:
+                draw_sampling(panel, s);
+                break;
+            case 1:
+                draw_triangles(panel, s);
+                break;
+            case 2:
+                draw_chords(panel, s);
+                break;
+            case 3:
+                draw_pieces(panel, s, s.csp_pieces, nullptr);
+                break;
+            case 4:
+                draw_pieces(panel, s, s.pieces, &s.graph);
+                break;
+            case 5:
+                draw_depth(panel, shape);
+                break;
+            case 6:
+                draw_terminals(panel, shape.descriptor);
+                break;
+            default:
+                draw_wings(panel, shape.descriptor);
+                break;
         }
     }
     return page.write(path);
@@ -319,7 +343,8 @@ core::Result<void> write_match_picture(const std::vector<MatchPictureItem>& item
 }
 
 core::Result<void> write_segmentation_sheet(const std::vector<core::DescribedShape>& shapes,
-                                            const std::vector<std::string>& titles, int columns, const std::string& path) {
+                                            const std::vector<std::string>& titles, int columns,
+                                            const std::string& path) {
     constexpr double kSize = 170.0;
     const int rows = (static_cast<int>(shapes.size()) + columns - 1) / columns;
     const Page page(static_cast<int>(columns * kSize), static_cast<int>(rows * (kSize + 18.0)));

@@ -1,6 +1,6 @@
 #pragma once
-// Pictures that explain the shape method: the steps from a silhouette to its parts, and two shapes with their matched parts in
-// the same colours. Drawn with Cairo, no screen needed.
+// Pictures that explain the shape method: the steps from a silhouette to its parts, and two shapes with their matched
+// parts in the same colours. Drawn with Cairo, no screen needed.
 
 #include <array>
 #include <string>
@@ -22,8 +22,8 @@ inline constexpr std::array<core::Rgb, 8> kPartColours{{{0x75, 0xC4, 0xF1},
                                                         {0x33, 0x4A, 0x81},
                                                         {0x9D, 0xCD, 0x36}}};
 
-/// One panel a step (corners and samples, triangles, chords, polygons, significant pieces and skeleton, depth, terminals, wings), written as
-/// PNG. WriteFailed when the file cannot be written.
+/// One panel a step (corners and samples, triangles, chords, polygons, significant pieces and skeleton, depth,
+/// terminals, wings), written as PNG. WriteFailed when the file cannot be written.
 [[nodiscard]] core::Result<void> write_description_picture(const core::DescribedShape& shape, const std::string& title,
                                                            const std::string& path);
 
@@ -35,7 +35,8 @@ struct MatchPictureItem {
 };
 
 /// One row a match: both shapes, matched parts in the same colour and with the same number, parts left out in clay.
-[[nodiscard]] core::Result<void> write_match_picture(const std::vector<MatchPictureItem>& items, const std::string& path);
+[[nodiscard]] core::Result<void> write_match_picture(const std::vector<MatchPictureItem>& items,
+                                                     const std::string& path);
 
 /// A contact sheet of final segmentations: junctions, sleeves and terminals with the skeleton over them.
 [[nodiscard]] core::Result<void> write_segmentation_sheet(const std::vector<core::DescribedShape>& shapes,
