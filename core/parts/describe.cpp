@@ -17,7 +17,8 @@ std::vector<int> stop_points(const std::vector<Part>& parts, int terminal_count,
     for (int t = 0; t < terminal_count; ++t) {
         if (may_start[static_cast<std::size_t>(t)] != 0) points.push_back(t);
     }
-    if (points.empty() && terminal_count > 0) points.push_back(0);
+    // Both directions cut the ring at the same place, so that a mirror image reads the same.
+    if (points.empty() && terminal_count > 0) points.push_back(backwards ? terminal_count - 1 : 0);
     return points;
 }
 
