@@ -26,7 +26,8 @@ std::string model_name(const std::string& file_stem, const std::string& class_na
     }
     std::replace(name.begin(), name.end(), '-', ' ');
     std::replace(name.begin(), name.end(), '_', ' ');
-    if (!name.empty() && static_cast<unsigned char>(name[0]) < 128 && name.find_first_of("0123456789") == std::string::npos) {
+    if (!name.empty() && static_cast<unsigned char>(name[0]) < 128 &&
+        name.find_first_of("0123456789") == std::string::npos) {
         name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     }
     return name;
