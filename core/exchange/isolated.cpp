@@ -16,6 +16,14 @@ namespace {
 
 constexpr int kDone = 0, kFailed = 10, kNoMemory = 11;
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;
+#elif defined(__has_feature)
+constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+constexpr bool kSanitized = false;
+#endif
+
 void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
     const rlimit bounds{most, most};
     setrlimit(what, &bounds);
@@ -36,7 +44,8 @@ bool write_all(int pipe_end, const std::string& bytes) {
     for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) std::signal(crash, SIG_DFL);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, limits.processor_seconds);
-    limit(RLIMIT_DATA, limits.memory_bytes);
+    // A sanitizer's shadow memory is terabytes of address space, which such a limit would forbid.
+    if constexpr (!kSanitized) limit(RLIMIT_DATA, limits.memory_bytes);
     int status = kFailed;
     try {
         const std::string answer = work();

@@ -130,7 +130,7 @@ TEST_CASE("real outlines match as exhaustive search says", "[match]") {
     for (const Named& first : all) {
         for (const Named& second : all) {
             const MatchableShape a = shape_of(first.contour), b = shape_of(second.contour);
-            if (a.forwards.terminal_count > 6 || b.forwards.terminal_count > 6) continue;
+            if (a.forwards.terminal_count > 5 || b.forwards.terminal_count > 5) continue;
             INFO(first.name << " against " << second.name);
             check_match(a, b, ExhaustiveMatch::distance(a, b));
         }
