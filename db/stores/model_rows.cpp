@@ -17,6 +17,7 @@ constexpr const char* kNotAsWritten = "it is damaged (its checksum differs); bui
 
 struct EncodedView {
     Blob camera, outline, descriptor;
+    std::vector<Blob> further;
 };
 
 struct EncodedModel {
@@ -34,7 +35,13 @@ core::Result<EncodedView> encode_view(const ModelView& view) {
     if (!outline) return core::unexpected(outline.error());
     core::Result<Blob> descriptor = encode_descriptor(view.descriptor);
     if (!descriptor) return core::unexpected(descriptor.error());
-    return EncodedView{std::move(*camera), std::move(*outline), std::move(*descriptor)};
+    EncodedView encoded{std::move(*camera), std::move(*outline), std::move(*descriptor), {}};
+    for (const core::ShapeDescriptor& reading : view.further) {
+        core::Result<Blob> blob = encode_descriptor(reading);
+        if (!blob) return core::unexpected(blob.error());
+        encoded.further.push_back(std::move(*blob));
+    }
+    return encoded;
 }
 
 core::Result<EncodedModel> encode_model(const ModelRecord& model) {
@@ -108,7 +115,7 @@ std::uint64_t checksum_of(const std::string& text) {
     return core::fnv1a64(std::as_bytes(std::span(text)));
 }
 
-ModelWriter::ModelWriter(const Database& database, std::array<Statement, 7> statements)
+ModelWriter::ModelWriter(const Database& database, std::array<Statement, 8> statements)
     : database_(&database),
       find_(std::move(statements[0])),
       insert_(std::move(statements[1])),
@@ -116,10 +123,11 @@ ModelWriter::ModelWriter(const Database& database, std::array<Statement, 7> stat
       insert_view_(std::move(statements[3])),
       insert_mesh_(std::move(statements[4])),
       delete_views_(std::move(statements[5])),
-      delete_mesh_(std::move(statements[6])) {}
+      delete_mesh_(std::move(statements[6])),
+      insert_reading_(std::move(statements[7])) {}
 
 core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
-    core::Result<std::array<Statement, 7>> statements = prepare_all<7>(
+    core::Result<std::array<Statement, 8>> statements = prepare_all<8>(
         database, {"SELECT id FROM model WHERE source_path = ?",
                    "INSERT INTO model (source_path, name, class_name, content_hash, file_size, build_id, checksum) "
                    "VALUES (?, ?, ?, ?, ?, ?, ?)",
@@ -129,7 +137,9 @@ core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
                    "camera_checksum, outline, outline_checksum, descriptor, descriptor_checksum) "
                    "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                    "INSERT INTO display_mesh (model_id, mesh, mesh_checksum) VALUES (?, ?, ?)",
-                   "DELETE FROM view WHERE model_id = ?", "DELETE FROM display_mesh WHERE model_id = ?"});
+                   "DELETE FROM view WHERE model_id = ?", "DELETE FROM display_mesh WHERE model_id = ?",
+                   "INSERT INTO reading (model_id, number, reading, descriptor, descriptor_checksum) "
+                   "VALUES (?, ?, ?, ?, ?)"});
     if (!statements) return core::unexpected(statements.error());
     return ModelWriter(database, std::move(*statements));
 }
@@ -182,7 +192,9 @@ core::Result<std::int64_t> ModelWriter::write(const ModelRecord& model, std::int
         bind_with_checksum(insert_view_, encoded->views[i].camera);
         bind_with_checksum(insert_view_, encoded->views[i].outline);
         bind_with_checksum(insert_view_, encoded->views[i].descriptor);
-        if (const core::Result<void> done = insert_view_.run(); !done) return core::unexpected(done.error());
+        core::Result<void> done = insert_view_.run();
+        if (done) done = write_readings(*id, i, encoded->views[i].further);
+        if (!done) return core::unexpected(done.error());
     }
     insert_mesh_.bind(*id);
     bind_with_checksum(insert_mesh_, encoded->mesh);
@@ -190,16 +202,30 @@ core::Result<std::int64_t> ModelWriter::write(const ModelRecord& model, std::int
     return id;
 }
 
-ModelReader::ModelReader(std::array<Statement, 3> statements)
-    : model_(std::move(statements[0])), view_(std::move(statements[1])), mesh_(std::move(statements[2])) {}
+core::Result<void> ModelWriter::write_readings(std::int64_t id, std::size_t number, const std::vector<Blob>& further) {
+    for (std::size_t k = 0; k < further.size(); ++k) {
+        insert_reading_.bind(id).bind(number).bind(k + 1);
+        bind_with_checksum(insert_reading_, further[k]);
+        if (core::Result<void> done = insert_reading_.run(); !done) return done;
+    }
+    return {};
+}
+
+ModelReader::ModelReader(std::array<Statement, 4> statements)
+    : model_(std::move(statements[0])),
+      view_(std::move(statements[1])),
+      mesh_(std::move(statements[2])),
+      reading_(std::move(statements[3])) {}
 
 core::Result<ModelReader> ModelReader::prepare(const Database& database) {
-    core::Result<std::array<Statement, 3>> statements = prepare_all<3>(
+    core::Result<std::array<Statement, 4>> statements = prepare_all<4>(
         database, {"SELECT source_path, name, class_name, content_hash, file_size, build_id, checksum FROM model "
                    "WHERE id = ?",
                    "SELECT camera_number, skeletal_length, asymmetry, checksum, camera, camera_checksum, outline, "
                    "outline_checksum, descriptor, descriptor_checksum FROM view WHERE model_id = ? AND number = ?",
-                   "SELECT mesh, mesh_checksum FROM display_mesh WHERE model_id = ?"});
+                   "SELECT mesh, mesh_checksum FROM display_mesh WHERE model_id = ?",
+                   "SELECT reading, descriptor, descriptor_checksum FROM reading WHERE model_id = ? AND number = ? "
+                   "ORDER BY reading"});
     if (!statements) return core::unexpected(statements.error());
     return ModelReader(std::move(*statements));
 }
@@ -249,6 +275,22 @@ void ModelReader::read_view(int number, ModelRecord& model, std::vector<Damage>&
     read_blob(view_, 6, decode_polygon, view.outline, damage("outline of " + label), damaged);
     read_blob(view_, 8, decode_descriptor, view.descriptor, damage("descriptor of " + label), damaged);
     view_.reset();
+    read_readings(number, model, damaged);
+}
+
+void ModelReader::read_readings(int number, ModelRecord& model, std::vector<Damage>& damaged) {
+    ModelView& view = model.views[static_cast<std::size_t>(number)];
+    reading_.bind(model.id).bind(number);
+    for (std::int64_t expected = 1;; ++expected) {
+        const std::string part = "reading " + std::to_string(expected) + " of view " + std::to_string(number);
+        const core::Result<bool> row = reading_.step();
+        if (!row) damaged.push_back({model.id, model.name, part, row.error().message});
+        if (!row || !*row) break;
+        if (reading_.integer(0) != expected) damaged.push_back({model.id, model.name, part, kNotAsWritten});
+        read_blob(reading_, 1, decode_descriptor, view.further.emplace_back(), {model.id, model.name, part, {}},
+                  damaged);
+    }
+    reading_.reset();
 }
 
 std::optional<core::TriangleMesh> ModelReader::read_mesh(std::int64_t id, const std::string& name,

@@ -20,11 +20,14 @@ class ModelWriter {
     [[nodiscard]] core::Result<void> update(std::int64_t id, const ModelRecord& model, std::int64_t build_id);
 
   private:
-    ModelWriter(const Database& database, std::array<Statement, 7> statements);
+    ModelWriter(const Database& database, std::array<Statement, 8> statements);
     [[nodiscard]] core::Result<std::int64_t> write_model_row(const ModelRecord& model, std::int64_t build_id);
 
     const Database* database_;
-    Statement find_, insert_, update_, insert_view_, insert_mesh_, delete_views_, delete_mesh_;
+    [[nodiscard]] core::Result<void> write_readings(std::int64_t id, std::size_t number,
+                                                    const std::vector<Blob>& further);
+
+    Statement find_, insert_, update_, insert_view_, insert_mesh_, delete_views_, delete_mesh_, insert_reading_;
 };
 
 /// Reads models part by part, noting what is damaged and going on. Never throws a whole model away for its mesh.
@@ -40,10 +43,11 @@ class ModelReader {
     [[nodiscard]] std::int64_t build_id() const { return build_id_; }
 
   private:
-    explicit ModelReader(std::array<Statement, 3> statements);
+    explicit ModelReader(std::array<Statement, 4> statements);
     void read_view(int number, ModelRecord& model, std::vector<Damage>& damaged);
+    void read_readings(int number, ModelRecord& model, std::vector<Damage>& damaged);
 
-    Statement model_, view_, mesh_;
+    Statement model_, view_, mesh_, reading_;
     std::int64_t build_id_ = 0;
 };
 

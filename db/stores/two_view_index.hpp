@@ -33,8 +33,9 @@ struct ModelView {
     int camera_number = 0;  ///< among the 50 of 7.1.1, from 0
     core::Polygon outline;  ///< contour in the image plane [-1, 1] x [-1, 1], y up
     core::ShapeDescriptor descriptor;
-    double skeletal_length = 0.0;  ///< 7.1.2
-    double asymmetry = 0.0;        ///< 7.1.2, distance to the reversed self
+    std::vector<core::ShapeDescriptor> further;  ///< readings 1, 2 … of the same outline; may be empty
+    double skeletal_length = 0.0;                ///< 7.1.2
+    double asymmetry = 0.0;                      ///< 7.1.2, distance to the reversed self
 };
 
 struct ModelRecord {

@@ -8,6 +8,7 @@
 #include "core/mesh/compact.hpp"
 #include "core/mesh/normalise.hpp"
 #include "core/mesh/simplify.hpp"
+#include "core/parts/readings.hpp"
 #include "core/silhouette/contour.hpp"
 #include "core/views/cameras.hpp"
 #include "core/views/silhouette_render.hpp"
@@ -16,7 +17,7 @@
 namespace app {
 
 std::string parameters_text(const ViewParameters& v) {
-    constexpr int kDescriberVersion = 1;  // raise when the same parameters lead to another descriptor
+    constexpr int kDescriberVersion = 2;  // raise when the same parameters lead to another descriptor
     const core::ShapeParameters& p = v.shape;
     char text[512];
     std::snprintf(
@@ -60,7 +61,7 @@ core::Result<void> describe_model(const core::TriangleMesh& mesh, const ViewPara
         view.camera = core::cameras()[static_cast<std::size_t>(camera)];
         view.camera_number = camera;
         view.skeletal_length = descriptor->skeletal_length;
-        view.outline = descriptor->samples;
+        view.outline = std::move(*outline);
         view.descriptor = std::move(*descriptor);
         candidates.push_back({camera, view.skeletal_length});
         described.emplace(camera, std::move(view));
@@ -74,6 +75,10 @@ core::Result<void> describe_model(const core::TriangleMesh& mesh, const ViewPara
     const core::Result<core::ChosenViews> chosen = core::choose_views(candidates, asymmetry, parameters.longest);
     if (!chosen) return core::unexpected(chosen.error());
     record.views = {described.at(chosen->first), described.at(chosen->second)};
+    for (db::ModelView& view : record.views) {
+        view.further = core::further_readings(view.outline, view.descriptor, parameters.shape);
+        view.outline = view.descriptor.samples;
+    }
     core::Result<core::TriangleMesh> display = core::simplified_mesh(*normal, parameters.display_triangles);
     if (!display) return core::unexpected(display.error());
     record.display_mesh = core::without_unused_vertices(*display);

@@ -148,6 +148,7 @@ db::ModelRecord random_model(int n) {
         view.camera_number = whole(random, 0, 49);
         view.descriptor = random_descriptor(random, whole(random, 2, 12), whole(random, 0, 6));
         view.outline = random_outline(random, 100, 1.0);
+        for (int k = 0; k < n % 3; ++k) view.further.push_back(random_descriptor(random, whole(random, 2, 6), 1));
         view.skeletal_length = real(random, 0.0, 10.0);
         view.asymmetry = real(random, 0.0, 3.0);
     }
@@ -160,6 +161,7 @@ db::ModelRecord as_stored(const db::ModelRecord& written) {
     for (db::ModelView& view : model.views) {
         view.outline = value(db::decode_polygon(value(db::encode_polygon(view.outline))));
         view.descriptor = value(db::decode_descriptor(value(db::encode_descriptor(view.descriptor))));
+        for (core::ShapeDescriptor& d : view.further) d = value(db::decode_descriptor(value(db::encode_descriptor(d))));
     }
     model.display_mesh = value(db::decode_mesh(value(db::encode_mesh(model.display_mesh))));
     return model;
@@ -169,7 +171,7 @@ bool same_views(const db::ModelRecord& a, const db::ModelRecord& b) {
     const auto same_view = [](const db::ModelView& v, const db::ModelView& w) {
         return v.camera.direction == w.camera.direction && v.camera.up == w.camera.up &&
                v.camera_number == w.camera_number && v.outline == w.outline && v.descriptor == w.descriptor &&
-               v.skeletal_length == w.skeletal_length && v.asymmetry == w.asymmetry;
+               v.further == w.further && v.skeletal_length == w.skeletal_length && v.asymmetry == w.asymmetry;
     };
     return a.name == b.name && a.class_name == b.class_name && a.source_path == b.source_path &&
            a.content_hash == b.content_hash && a.file_size == b.file_size && same_view(a.views[0], b.views[0]) &&

@@ -53,8 +53,12 @@ TEST_CASE("damage is named by model and part, and a search goes on without the m
         Case{"UPDATE view SET descriptor = outline, descriptor_checksum = outline_checksum WHERE model_id = 3 AND "
              "number = 1",
              "model 3 (model 2), descriptor of view 1: it is damaged (it holds something else)"},
-        Case{"DELETE FROM view WHERE model_id = 3 AND number = 1",
-             "model 3 (model 2), view 1: it is missing; build the model again"},
+        Case{"UPDATE reading SET descriptor = x'' WHERE model_id = 3 AND number = 1 AND reading = 2",
+             of("reading 2 of view 1")},
+        Case{"DELETE FROM reading WHERE model_id = 3 AND number = 0 AND reading = 1", of("reading 1 of view 0")},
+        Case{
+            "DELETE FROM reading WHERE model_id = 3 AND number = 1; DELETE FROM view WHERE model_id = 3 AND number = 1",
+            "model 3 (model 2), view 1: it is missing; build the model again"},
         Case{"UPDATE model SET class_name = 'cow' WHERE id = 3", of("record")},
         Case{"UPDATE display_mesh SET mesh = zeroblob(9) WHERE model_id = 3", of("display mesh"), true},
         Case{"DELETE FROM display_mesh WHERE model_id = 3",

@@ -136,7 +136,7 @@ TEST_CASE("a stale index says so, model by model", "[index]") {
     const db::IndexInfo info = fixture::value(index.info());
     CHECK(info.models == 3);
     CHECK(info.stale_models == 2);
-    CHECK(info.schema_version == 1);
+    CHECK(info.schema_version == 2);
     CHECK(info.bytes > 0);
     REQUIRE(info.builds.size() == 2);
     CHECK(info.builds[0].parameters == "old");
