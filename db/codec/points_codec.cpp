@@ -3,63 +3,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/point_grid.hpp"
+
 namespace db {
 
 namespace {
 
 constexpr std::uint8_t kPolygonVersion = 1;
-constexpr int kFinestStep = -60;  // exponents of two
-constexpr int kCoarsestStep = 20;
 constexpr std::int64_t kMostSteps = 65535;
-constexpr std::int64_t kFarthest = std::int64_t{1} << 40;  // so that every grid point is a double
-constexpr double kLargest = 1073741824.0;                  // 2^30
+constexpr double kLargest = 1073741824.0;  // 2^30
 
-struct Box {
-    core::Point low, high;
-};
-
-Box bounding_box(const std::vector<core::Point>& points) {
-    Box box{points.front(), points.front()};
-    for (const core::Point& p : points) {
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
-    return box;
-}
-
-/// The grid line nearest to the value, counted from the origin.
-double line(double value, int exponent) {
-    return std::round(std::ldexp(value, -exponent));
-}
-
-bool fits(double low, double high, int exponent) {
-    const double first = line(low, exponent);
-    const double last = line(high, exponent);
-    const auto farthest = static_cast<double>(kFarthest);
-    return first >= -farthest && last <= farthest && last - first <= static_cast<double>(kMostSteps);
-}
-
-/// Rounding is monotonic, so the box alone decides, and what fits once fits again after rounding.
-int finest_fitting_step(const Box& box) {
-    int exponent = kFinestStep;
-    while (exponent < kCoarsestStep &&
-           !(fits(box.low.x, box.high.x, exponent) && fits(box.low.y, box.high.y, exponent))) {
-        ++exponent;
-    }
-    return exponent;
-}
+using core::kCoarsestGrid;
+using core::kFarthestGridLine;
+using core::kFinestGrid;
 
 /// One coordinate of the chain while it is read: sums up steps, and watches the size of the box.
 class Axis {
   public:
     /// False when the step leads off the grid.
     [[nodiscard]] bool move(std::int64_t step) {
-        if (step > 2 * kFarthest || step < -2 * kFarthest) return false;
+        if (step > 2 * kFarthestGridLine || step < -2 * kFarthestGridLine) return false;
         at_ += step;
         low_ = first_ ? at_ : std::min(low_, at_);
         high_ = first_ ? at_ : std::max(high_, at_);
         first_ = false;
-        return low_ >= -kFarthest && high_ <= kFarthest && high_ - low_ <= kMostSteps;
+        return low_ >= -kFarthestGridLine && high_ <= kFarthestGridLine && high_ - low_ <= kMostSteps;
     }
     [[nodiscard]] double value(int exponent) const { return std::ldexp(static_cast<double>(at_), exponent); }
 
@@ -79,13 +47,13 @@ core::Result<void> write_points(ByteWriter& out, const std::vector<core::Point>&
     }
     out.varint(points.size());
     if (points.empty()) return {};
-    const int exponent = finest_fitting_step(bounding_box(points));
-    out.u8(static_cast<std::uint8_t>(exponent - kFinestStep));
+    const int exponent = core::finest_grid(points, kMostSteps);
+    out.u8(static_cast<std::uint8_t>(exponent - kFinestGrid));
     std::int64_t x = 0;
     std::int64_t y = 0;
     for (const core::Point& p : points) {
-        const auto next_x = static_cast<std::int64_t>(line(p.x, exponent));
-        const auto next_y = static_cast<std::int64_t>(line(p.y, exponent));
+        const auto next_x = static_cast<std::int64_t>(core::grid_line(p.x, exponent));
+        const auto next_y = static_cast<std::int64_t>(core::grid_line(p.y, exponent));
         out.svarint(next_x - x);
         out.svarint(next_y - y);
         x = next_x;
@@ -98,8 +66,8 @@ std::vector<core::Point> read_points(ByteReader& in) {
     std::vector<core::Point> points;
     const std::size_t count = in.count(2);
     if (count == 0) return points;
-    const int exponent = in.u8() + kFinestStep;
-    if (exponent > kCoarsestStep) in.fail("the grid of its points is unknown");
+    const int exponent = in.u8() + kFinestGrid;
+    if (exponent > kCoarsestGrid) in.fail("the grid of its points is unknown");
     points.reserve(count);
     Axis x;
     Axis y;
