@@ -5,8 +5,11 @@
 
 namespace db {
 
-ByteWriter::ByteWriter(BlobKind kind, std::uint8_t version) {
+ByteWriter::ByteWriter(BlobKind kind) {
     u8(static_cast<std::uint8_t>(kind));
+}
+
+ByteWriter::ByteWriter(BlobKind kind, std::uint8_t version) : ByteWriter(kind) {
     u8(version);
 }
 

@@ -22,11 +22,12 @@ using Blob = std::vector<std::byte>;
 using BlobView = std::span<const std::byte>;
 
 /// The first byte of every blob says what it holds, the second one which layout, counted from 1.
-enum class BlobKind : std::uint8_t { Camera = 'C', Descriptor = 'D', Mesh = 'M', Polygon = 'P' };
+enum class BlobKind : std::uint8_t { Camera = 'C', Descriptor = 'D', Mesh = 'M', Polygon = 'P', Readings = 'R' };
 
 class ByteWriter {
   public:
     ByteWriter() = default;
+    explicit ByteWriter(BlobKind kind);  ///< the caller writes the layout's number next
     ByteWriter(BlobKind kind, std::uint8_t version);
 
     void u8(std::uint8_t value);

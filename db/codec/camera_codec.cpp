@@ -1,12 +1,15 @@
 #include "db/codec/camera_codec.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/views/cameras.hpp"
 
 namespace db {
 
 namespace {
 
-constexpr std::uint8_t kCameraVersion = 1;
+constexpr std::uint8_t kVectors = 1, kNumber = 2;  // layouts
 constexpr double kTolerance = 1e-6;
 
 bool is_camera(const core::Camera& camera) {
@@ -36,7 +39,14 @@ core::Result<Blob> encode_camera(const core::Camera& camera) {
         return core::unexpected(core::ErrorCode::BadArgument,
                                 "the camera's direction and up are no unit vectors at a right angle");
     }
-    ByteWriter out(BlobKind::Camera, kCameraVersion);
+    const auto& known = core::cameras();
+    const auto same = [&camera](const core::Camera& c) { return c.direction == camera.direction && c.up == camera.up; };
+    if (const auto found = std::find_if(known.begin(), known.end(), same); found != known.end()) {
+        ByteWriter out(BlobKind::Camera, kNumber);
+        out.varint(static_cast<std::uint64_t>(found - known.begin()));
+        return out.take();
+    }
+    ByteWriter out(BlobKind::Camera, kVectors);
     write(out, camera.direction);
     write(out, camera.up);
     return out.take();
@@ -45,10 +55,17 @@ core::Result<Blob> encode_camera(const core::Camera& camera) {
 core::Result<core::Camera> decode_camera(BlobView blob) {
     ByteReader in(blob);
     core::Camera camera;
-    if (in.header(BlobKind::Camera, kCameraVersion) != 0) {
-        camera.direction = read(in);
-        camera.up = read(in);
-        if (!is_camera(camera)) in.fail("it holds no camera");
+    switch (in.header(BlobKind::Camera, kNumber)) {
+        case kVectors:
+            camera.direction = read(in);
+            camera.up = read(in);
+            if (!is_camera(camera)) in.fail("it holds no camera");
+            break;
+        case kNumber:
+            camera = core::cameras()[static_cast<std::size_t>(in.integer(core::kCameraCount - 1))];
+            break;
+        default:
+            break;  // the reader has noted the fault
     }
     if (const core::Result<void> done = in.finish(); !done) return core::unexpected(done.error());
     return camera;

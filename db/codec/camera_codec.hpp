@@ -1,5 +1,6 @@
 #pragma once
-// A camera as a blob of 50 bytes, exact.
+// A camera as a blob, exact: one of the 50 of core/views/cameras.hpp by its number in 3 bytes (layout 2), any other by
+// its vectors in 50 (layout 1).
 
 #include "core/base/result.hpp"
 #include "core/views/camera.hpp"

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "core/parts/rounding.hpp"
+#include "db/codec/compact_descriptor.hpp"
 #include "db/codec/points_codec.hpp"
 
 namespace db {
@@ -13,7 +16,9 @@ namespace {
 using core::Part;
 using core::ShapeDescriptor;
 
-constexpr std::uint8_t kDescriptorVersion = 1;
+constexpr std::uint8_t kFull = 1, kCompact = 2;  // layouts
+constexpr std::uint8_t kReadingsVersion = 1;
+constexpr std::size_t kReadingBytes = 16;                                                 // at least
 constexpr std::size_t kPartBytes = 5 + 4 * (core::kFeatureCount + core::kSignatureSize);  // at least
 constexpr int kAnyInteger = std::numeric_limits<int>::max();
 
@@ -99,16 +104,8 @@ ShapeDescriptor read_1(ByteReader& in) {
     return descriptor;
 }
 
-}  // namespace
-
-core::Result<Blob> encode_descriptor(const ShapeDescriptor& descriptor) {
-    if (const char* fault = fault_of(descriptor); fault != nullptr) {
-        return core::unexpected(core::ErrorCode::BadArgument, std::string("the descriptor is not sound: ") + fault);
-    }
-    ByteWriter out(BlobKind::Descriptor, kDescriptorVersion);
-    if (const core::Result<void> done = write_points(out, descriptor.samples); !done) {
-        return core::unexpected(done.error());
-    }
+core::Result<void> write_1(ByteWriter& out, const ShapeDescriptor& descriptor) {
+    if (core::Result<void> done = write_points(out, descriptor.samples); !done) return done;
     out.varint(static_cast<std::uint64_t>(descriptor.terminal_count));
     out.varint(descriptor.parts.size());
     for (const Part& part : descriptor.parts) write_part(out, part);
@@ -116,24 +113,70 @@ core::Result<Blob> encode_descriptor(const ShapeDescriptor& descriptor) {
     for (const int stop : descriptor.stop_points) out.varint(static_cast<std::uint64_t>(stop));
     write_part(out, descriptor.whole);
     out.f64(descriptor.skeletal_length);
+    return {};
+}
+
+ShapeDescriptor read_layout(ByteReader& in, std::uint8_t layout) {
+    ShapeDescriptor descriptor;
+    if (layout == kFull) descriptor = read_1(in);
+    if (layout == kCompact) descriptor = read_compact(in);
+    if (!in.failed()) {
+        if (const char* fault = fault_of(descriptor); fault != nullptr) in.fail(fault);
+    }
+    return descriptor;
+}
+
+/// Appends the layout's number and then the descriptor, compact where it can be.
+core::Result<void> write_layout(ByteWriter& out, const ShapeDescriptor& descriptor) {
+    if (const char* fault = fault_of(descriptor); fault != nullptr) {
+        return core::unexpected(core::ErrorCode::BadArgument, std::string("the descriptor is not sound: ") + fault);
+    }
+    const std::optional<ShapeDescriptor> rounded =
+        fits_compact(descriptor) ? core::rounded(descriptor) : std::optional<ShapeDescriptor>();
+    out.u8(rounded ? kCompact : kFull);
+    if (!rounded) return write_1(out, descriptor);
+    write_compact(out, *rounded);
+    return {};
+}
+
+}  // namespace
+
+core::Result<Blob> encode_descriptor(const ShapeDescriptor& descriptor) {
+    ByteWriter out(BlobKind::Descriptor);
+    if (const core::Result<void> done = write_layout(out, descriptor); !done) return core::unexpected(done.error());
     return out.take();
 }
 
 core::Result<ShapeDescriptor> decode_descriptor(BlobView blob) {
     ByteReader in(blob);
-    ShapeDescriptor descriptor;
-    switch (in.header(BlobKind::Descriptor, kDescriptorVersion)) {
-        case 1:
-            descriptor = read_1(in);
-            break;
-        default:
-            break;  // the reader has noted the fault
-    }
-    if (!in.failed()) {
-        if (const char* fault = fault_of(descriptor); fault != nullptr) in.fail(fault);
-    }
+    const std::uint8_t layout = in.header(BlobKind::Descriptor, kCompact);
+    ShapeDescriptor descriptor = read_layout(in, layout);
     if (const core::Result<void> done = in.finish(); !done) return core::unexpected(done.error());
     return descriptor;
+}
+
+core::Result<Blob> encode_readings(const std::vector<ShapeDescriptor>& readings) {
+    ByteWriter out(BlobKind::Readings, kReadingsVersion);
+    out.varint(readings.size());
+    for (const ShapeDescriptor& reading : readings) {
+        if (const core::Result<void> done = write_layout(out, reading); !done) return core::unexpected(done.error());
+    }
+    return out.take();
+}
+
+core::Result<std::vector<ShapeDescriptor>> decode_readings(BlobView blob) {
+    ByteReader in(blob);
+    std::vector<ShapeDescriptor> readings;
+    if (in.header(BlobKind::Readings, kReadingsVersion) != 0) {
+        const std::size_t count = in.count(kReadingBytes);
+        while (readings.size() < count && !in.failed()) {
+            const std::uint8_t layout = in.u8();
+            if (layout != kFull && layout != kCompact) in.fail("its layout is not known to this program");
+            readings.push_back(read_layout(in, layout));
+        }
+    }
+    if (const core::Result<void> done = in.finish(); !done) return core::unexpected(done.error());
+    return readings;
 }
 
 }  // namespace db

@@ -1,6 +1,7 @@
 #include "db/stores/model_rows.hpp"
 
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/base/checksum.hpp"
@@ -16,8 +17,7 @@ namespace {
 constexpr const char* kNotAsWritten = "it is damaged (its checksum differs); build the model again";
 
 struct EncodedView {
-    Blob camera, outline, descriptor;
-    std::vector<Blob> further;
+    Blob camera, outline, readings;
 };
 
 struct EncodedModel {
@@ -31,17 +31,15 @@ core::Result<EncodedView> encode_view(const ModelView& view) {
     }
     core::Result<Blob> camera = encode_camera(view.camera);
     if (!camera) return core::unexpected(camera.error());
-    core::Result<Blob> outline = encode_polygon(view.outline);
+    // The samples of the first reading are the outline of most views, and need not be stored twice.
+    const bool sampled = view.outline == view.descriptor.samples;
+    core::Result<Blob> outline = encode_polygon(sampled ? core::Polygon() : view.outline);
     if (!outline) return core::unexpected(outline.error());
-    core::Result<Blob> descriptor = encode_descriptor(view.descriptor);
-    if (!descriptor) return core::unexpected(descriptor.error());
-    EncodedView encoded{std::move(*camera), std::move(*outline), std::move(*descriptor), {}};
-    for (const core::ShapeDescriptor& reading : view.further) {
-        core::Result<Blob> blob = encode_descriptor(reading);
-        if (!blob) return core::unexpected(blob.error());
-        encoded.further.push_back(std::move(*blob));
-    }
-    return encoded;
+    std::vector<core::ShapeDescriptor> all{view.descriptor};
+    all.insert(all.end(), view.further.begin(), view.further.end());
+    core::Result<Blob> readings = encode_readings(all);
+    if (!readings) return core::unexpected(readings.error());
+    return EncodedView{std::move(*camera), std::move(*outline), std::move(*readings)};
 }
 
 core::Result<EncodedModel> encode_model(const ModelRecord& model) {
@@ -115,7 +113,7 @@ std::uint64_t checksum_of(const std::string& text) {
     return core::fnv1a64(std::as_bytes(std::span(text)));
 }
 
-ModelWriter::ModelWriter(const Database& database, std::array<Statement, 8> statements)
+ModelWriter::ModelWriter(const Database& database, std::array<Statement, 7> statements)
     : database_(&database),
       find_(std::move(statements[0])),
       insert_(std::move(statements[1])),
@@ -123,11 +121,10 @@ ModelWriter::ModelWriter(const Database& database, std::array<Statement, 8> stat
       insert_view_(std::move(statements[3])),
       insert_mesh_(std::move(statements[4])),
       delete_views_(std::move(statements[5])),
-      delete_mesh_(std::move(statements[6])),
-      insert_reading_(std::move(statements[7])) {}
+      delete_mesh_(std::move(statements[6])) {}
 
 core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
-    core::Result<std::array<Statement, 8>> statements = prepare_all<8>(
+    core::Result<std::array<Statement, 7>> statements = prepare_all<7>(
         database, {"SELECT id FROM model WHERE source_path = ?",
                    "INSERT INTO model (source_path, name, class_name, content_hash, file_size, build_id, checksum) "
                    "VALUES (?, ?, ?, ?, ?, ?, ?)",
@@ -137,9 +134,7 @@ core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
                    "camera_checksum, outline, outline_checksum, descriptor, descriptor_checksum) "
                    "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                    "INSERT INTO display_mesh (model_id, mesh, mesh_checksum) VALUES (?, ?, ?)",
-                   "DELETE FROM view WHERE model_id = ?", "DELETE FROM display_mesh WHERE model_id = ?",
-                   "INSERT INTO reading (model_id, number, reading, descriptor, descriptor_checksum) "
-                   "VALUES (?, ?, ?, ?, ?)"});
+                   "DELETE FROM view WHERE model_id = ?", "DELETE FROM display_mesh WHERE model_id = ?"});
     if (!statements) return core::unexpected(statements.error());
     return ModelWriter(database, std::move(*statements));
 }
@@ -191,24 +186,13 @@ core::Result<std::int64_t> ModelWriter::write(const ModelRecord& model, std::int
         insert_view_.bind(checksum_of_view(view));
         bind_with_checksum(insert_view_, encoded->views[i].camera);
         bind_with_checksum(insert_view_, encoded->views[i].outline);
-        bind_with_checksum(insert_view_, encoded->views[i].descriptor);
-        core::Result<void> done = insert_view_.run();
-        if (done) done = write_readings(*id, i, encoded->views[i].further);
-        if (!done) return core::unexpected(done.error());
+        bind_with_checksum(insert_view_, encoded->views[i].readings);
+        if (const core::Result<void> done = insert_view_.run(); !done) return core::unexpected(done.error());
     }
     insert_mesh_.bind(*id);
     bind_with_checksum(insert_mesh_, encoded->mesh);
     if (const core::Result<void> done = insert_mesh_.run(); !done) return core::unexpected(done.error());
     return id;
-}
-
-core::Result<void> ModelWriter::write_readings(std::int64_t id, std::size_t number, const std::vector<Blob>& further) {
-    for (std::size_t k = 0; k < further.size(); ++k) {
-        insert_reading_.bind(id).bind(number).bind(k + 1);
-        bind_with_checksum(insert_reading_, further[k]);
-        if (core::Result<void> done = insert_reading_.run(); !done) return done;
-    }
-    return {};
 }
 
 ModelReader::ModelReader(std::array<Statement, 4> statements)
@@ -273,12 +257,27 @@ void ModelReader::read_view(int number, ModelRecord& model, std::vector<Damage>&
     }
     read_blob(view_, 4, decode_camera, view.camera, damage("camera of " + label), damaged);
     read_blob(view_, 6, decode_polygon, view.outline, damage("outline of " + label), damaged);
-    read_blob(view_, 8, decode_descriptor, view.descriptor, damage("descriptor of " + label), damaged);
-    view_.reset();
-    read_readings(number, model, damaged);
+    const BlobView blob = view_.blob(8);
+    if (!blob.empty() && blob.front() == static_cast<std::byte>(BlobKind::Descriptor)) {
+        read_blob(view_, 8, decode_descriptor, view.descriptor, damage("descriptor of " + label), damaged);
+        view_.reset();
+        read_old_readings(number, model, damaged);
+    } else {
+        std::vector<core::ShapeDescriptor> readings;
+        const std::size_t before = damaged.size();
+        read_blob(view_, 8, decode_readings, readings, damage("descriptor of " + label), damaged);
+        view_.reset();
+        if (readings.empty()) {
+            if (damaged.size() == before) damaged.push_back(damage("descriptor of " + label, kNotAsWritten));
+            return;
+        }
+        view.descriptor = std::move(readings.front());
+        view.further.assign(std::make_move_iterator(readings.begin() + 1), std::make_move_iterator(readings.end()));
+    }
+    if (view.outline.empty()) view.outline = view.descriptor.samples;
 }
 
-void ModelReader::read_readings(int number, ModelRecord& model, std::vector<Damage>& damaged) {
+void ModelReader::read_old_readings(int number, ModelRecord& model, std::vector<Damage>& damaged) {
     ModelView& view = model.views[static_cast<std::size_t>(number)];
     reading_.bind(model.id).bind(number);
     for (std::int64_t expected = 1;; ++expected) {

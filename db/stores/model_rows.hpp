@@ -20,14 +20,11 @@ class ModelWriter {
     [[nodiscard]] core::Result<void> update(std::int64_t id, const ModelRecord& model, std::int64_t build_id);
 
   private:
-    ModelWriter(const Database& database, std::array<Statement, 8> statements);
+    ModelWriter(const Database& database, std::array<Statement, 7> statements);
     [[nodiscard]] core::Result<std::int64_t> write_model_row(const ModelRecord& model, std::int64_t build_id);
 
     const Database* database_;
-    [[nodiscard]] core::Result<void> write_readings(std::int64_t id, std::size_t number,
-                                                    const std::vector<Blob>& further);
-
-    Statement find_, insert_, update_, insert_view_, insert_mesh_, delete_views_, delete_mesh_, insert_reading_;
+    Statement find_, insert_, update_, insert_view_, insert_mesh_, delete_views_, delete_mesh_;
 };
 
 /// Reads models part by part, noting what is damaged and going on. Never throws a whole model away for its mesh.
@@ -45,7 +42,8 @@ class ModelReader {
   private:
     explicit ModelReader(std::array<Statement, 4> statements);
     void read_view(int number, ModelRecord& model, std::vector<Damage>& damaged);
-    void read_readings(int number, ModelRecord& model, std::vector<Damage>& damaged);
+    /// Until schema 2 a view's row held its first reading and `reading` the others; now the row holds all.
+    void read_old_readings(int number, ModelRecord& model, std::vector<Damage>& damaged);
 
     Statement model_, view_, mesh_, reading_;
     std::int64_t build_id_ = 0;

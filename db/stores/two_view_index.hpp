@@ -123,7 +123,8 @@ class TwoViewIndex {
 
     /// All models in the order of ids, without blobs.
     [[nodiscard]] core::Result<std::vector<ModelEntry>> list() const;
-    /// What a search needs, of one moment. About 5 kB a model; 1,000 models take some 50 ms of one core.
+    /// What a search needs, of one moment. 1,000 models with three readings a view take some 300 ms of one core, most
+    /// of it measuring their parts.
     [[nodiscard]] core::Result<LoadedModels> load_views() const;
     /// One whole model, its mesh included. BadArgument if there is no such id.
     [[nodiscard]] core::Result<ModelRecord> load(std::int64_t id) const;

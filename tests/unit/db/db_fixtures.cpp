@@ -7,9 +7,11 @@
 #include <fstream>
 #include <numbers>
 
+#include "core/base/checksum.hpp"
 #include "db/codec/descriptor_codec.hpp"
 #include "db/codec/mesh_codec.hpp"
 #include "db/codec/points_codec.hpp"
+#include "db/migrations/migrations.hpp"
 
 namespace fixture {
 
@@ -154,6 +156,32 @@ db::ModelRecord random_model(int n) {
     }
     model.display_mesh = random_mesh(random, 60, 100, n % 2 == 0);
     return model;
+}
+
+void store_as_schema_2(const fs::path& path) {
+    const db::Database database = value(db::open_collection(path, db::OpenMode::ReadWrite));
+    db::Statement views = value(database.prepare("SELECT model_id, number, descriptor FROM view"));
+    db::Statement first = value(
+        database.prepare("UPDATE view SET descriptor = ?, descriptor_checksum = ? WHERE model_id = ? AND number = ?"));
+    db::Statement other = value(database.prepare("INSERT INTO reading VALUES (?, ?, ?, ?, ?)"));
+    struct Row {
+        std::int64_t model, number;
+        std::vector<core::ShapeDescriptor> readings;
+    };
+    std::vector<Row> rows;
+    while (value(views.step())) {
+        rows.push_back({views.integer(0), views.integer(1), value(db::decode_readings(views.blob(2)))});
+    }
+    for (const Row& row : rows) {
+        for (std::size_t k = 0; k < row.readings.size(); ++k) {
+            const db::Blob blob = value(db::encode_descriptor(row.readings[k]));
+            if (k > 0) other.bind(row.model).bind(row.number).bind(k);
+            db::Statement& statement = k == 0 ? first : other;
+            statement.bind(db::BlobView(blob)).bind(core::fnv1a64(blob));
+            if (k == 0) statement.bind(row.model).bind(row.number);
+            ok(statement.run());
+        }
+    }
 }
 
 db::ModelRecord as_stored(const db::ModelRecord& written) {

@@ -1,7 +1,11 @@
 #include "db/codec/descriptor_codec.hpp"
 
 #include <limits>
+#include <numeric>
 
+#include "core/parts/readings.hpp"
+#include "core/parts/rounding.hpp"
+#include "db/codec/points_codec.hpp"
 #include "db_fixtures.hpp"
 #include "hostile_blob.hpp"
 
@@ -14,7 +18,86 @@ ShapeDescriptor round_trip(const ShapeDescriptor& descriptor) {
     return fixture::value(db::decode_descriptor(fixture::value(db::encode_descriptor(descriptor))));
 }
 
+/// Descriptors as a model's views have them: all readings of random outlines.
+std::vector<ShapeDescriptor> described(Random& random, int shapes) {
+    std::vector<ShapeDescriptor> all;
+    while (shapes-- > 0) {
+        const core::Polygon outline = fixture::random_outline(random, 80, fixture::real(random, 0.3, 120.0));
+        for (ShapeDescriptor& reading : fixture::value(core::describe_readings(outline))) {
+            all.push_back(std::move(reading));
+        }
+    }
+    return all;
+}
+
+std::uint8_t layout_of(const ShapeDescriptor& descriptor) {
+    return std::to_integer<std::uint8_t>(fixture::value(db::encode_descriptor(descriptor))[1]);
+}
+
 }  // namespace
+
+TEST_CASE("a described shape is stored compactly and comes back rounded, in every bit", "[descriptor]") {
+    Random random(17);
+    for (const ShapeDescriptor& written : described(random, 12)) {
+        REQUIRE(layout_of(written) == 2);
+        const ShapeDescriptor once = round_trip(written);
+        CHECK(once == core::rounded(written));
+        CHECK(round_trip(once) == once);
+    }
+}
+
+TEST_CASE("a reading takes 200 bytes on average", "[descriptor]") {
+    Random random(18);
+    const std::vector<ShapeDescriptor> all = described(random, 20);
+    std::size_t bytes = 0;
+    for (const ShapeDescriptor& d : all) bytes += fixture::value(db::encode_descriptor(d)).size();
+    CHECK(bytes / all.size() <= 200);
+}
+
+TEST_CASE("stop points other than those of the parts are kept", "[descriptor]") {
+    Random random(19);
+    ShapeDescriptor descriptor = described(random, 1).front();
+    descriptor.stop_points.resize(static_cast<std::size_t>(descriptor.terminal_count));
+    std::iota(descriptor.stop_points.begin(), descriptor.stop_points.end(), 0);
+    REQUIRE(layout_of(descriptor) == 2);
+    CHECK(round_trip(descriptor).stop_points == descriptor.stop_points);
+    descriptor.stop_points.clear();
+    CHECK(round_trip(descriptor).stop_points.empty());
+}
+
+TEST_CASE("what the compact layout cannot hold is stored in full", "[descriptor]") {
+    Random random(20);
+    ShapeDescriptor descriptor = described(random, 1).front();
+    SECTION("a feature of another making") {
+        descriptor.parts.front().features[0] += 1.0F;
+        CHECK(round_trip(descriptor).parts == descriptor.parts);
+    }
+    SECTION("terminals out of order") {
+        std::swap(descriptor.parts[0], descriptor.parts[1]);
+        CHECK(round_trip(descriptor).parts == descriptor.parts);
+    }
+    SECTION("a shape without parts") {
+        descriptor.parts.clear();
+        descriptor.stop_points.clear();
+        descriptor.terminal_count = 0;
+        CHECK(round_trip(descriptor).whole == descriptor.whole);
+    }
+    CHECK(layout_of(descriptor) == 1);
+}
+
+TEST_CASE("all readings of a view are one blob", "[descriptor]") {
+    Random random(21);
+    std::vector<ShapeDescriptor> written = described(random, 1);
+    written.push_back(fixture::random_descriptor(random, 4, 2));
+    const db::Blob blob = fixture::value(db::encode_readings(written));
+    const std::vector<ShapeDescriptor> read = fixture::value(db::decode_readings(blob));
+    REQUIRE(read.size() == written.size());
+    for (std::size_t i = 0; i < read.size(); ++i) CHECK(read[i] == round_trip(written[i]));
+    CHECK(fixture::value(db::decode_readings(fixture::value(db::encode_readings({})))).empty());
+    CHECK_FALSE(db::decode_descriptor(blob));
+    written[1].stop_points = {-1};
+    CHECK_FALSE(db::encode_readings(written));
+}
 
 TEST_CASE("a descriptor comes back exactly, its samples on their grid", "[descriptor]") {
     Random random(11);
@@ -99,13 +182,26 @@ TEST_CASE("a descriptor blob cut off or changed gives an error or a sound descri
                                                      std::equal_to<>());
 }
 
+TEST_CASE("a compact blob cut off or changed gives an error or a sound descriptor", "[descriptor][hostile]") {
+    const core::Polygon outline{{0, 0}, {9, 0}, {9, 4}, {5, 4}, {5, 11}, {3, 11}, {3, 4}, {0, 4}};
+    const ShapeDescriptor small = fixture::value(core::describe(outline, {.sample_size = 24}));
+    REQUIRE(layout_of(small) == 2);
+    fixture::try_every_cut_and_flip<ShapeDescriptor>(fixture::value(db::encode_descriptor(small)),
+                                                     db::decode_descriptor, db::encode_descriptor, std::equal_to<>());
+    fixture::try_every_cut_and_flip<std::vector<ShapeDescriptor>>(fixture::value(db::encode_readings({small, small})),
+                                                                  db::decode_readings, db::encode_readings,
+                                                                  std::equal_to<>());
+}
+
 TEST_CASE("bytes at random are no descriptor", "[descriptor][hostile]") {
     Random random(16);
     for (int i = 0; i < 20000; ++i) {
         db::Blob blob(static_cast<std::size_t>(fixture::whole(random, 2, 400)));
         for (std::byte& b : blob) b = static_cast<std::byte>(random());
         blob[0] = std::byte{'D'};
-        blob[1] = std::byte{1};
-        if (db::decode_descriptor(blob)) FAIL("random bytes were taken for a descriptor");
+        blob[1] = static_cast<std::byte>(1 + i % 2);
+        const auto decoded = db::decode_descriptor(blob);
+        if (decoded && !db::encode_descriptor(*decoded)) FAIL("random bytes were taken for what cannot be written");
+        if (decoded && blob[1] == std::byte{1}) FAIL("random bytes were taken for a descriptor");
     }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "db/migrations/migrations.hpp"
 #include "db/sqlite/database.hpp"
 #include "db/sqlite/transaction.hpp"
 #include "db_fixtures.hpp"
@@ -46,6 +47,36 @@ TEST_CASE("models come back as they were stored, in the order of insertion", "[i
         CHECK(fixture::same_views(whole, expected));
         CHECK(fixture::same_mesh(whole.display_mesh, expected.display_mesh));
     }
+}
+
+TEST_CASE("models that an older program stored are read until they are described again", "[index]") {
+    const TemporaryFolder folder;
+    const std::vector<ModelRecord> models = random_models(0, 6);
+    { fixture::value(open(folder).add_all(models)); }
+    fixture::store_as_schema_2(folder / "models.db");
+    TwoViewIndex index = open(folder, OpenMode::ReadWrite);
+    CHECK(fixture::value(index.check()).empty());
+    const db::LoadedModels loaded = fixture::value(index.load_views());
+    REQUIRE(loaded.models.size() == models.size());
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        CHECK(fixture::same_views(loaded.models[i], fixture::as_stored(models[i])));
+    }
+    CHECK(fixture::value(index.add(models[2])) == 3);
+    CHECK(fixture::same_views(fixture::value(index.load(3)), fixture::as_stored(models[2])));
+    CHECK(fixture::value(index.check()).empty());
+}
+
+TEST_CASE("an outline that is the first reading's samples is not stored twice", "[index]") {
+    const TemporaryFolder folder;
+    ModelRecord model = fixture::random_model(4);
+    for (db::ModelView& view : model.views) view.outline = view.descriptor.samples;
+    TwoViewIndex index = open(folder);
+    fixture::value(index.add(model));
+    const ModelRecord read = fixture::value(index.load(1));
+    CHECK(read.views[0].outline == read.views[0].descriptor.samples);
+    CHECK(read.views[1].outline == read.views[1].descriptor.samples);
+    const db::Database database = fixture::value(db::open_collection(folder / "models.db", OpenMode::ReadOnly));
+    CHECK(fixture::value(database.integer("SELECT max(length(outline)) FROM view")) == 3);
 }
 
 TEST_CASE("the list names the models without their blobs", "[index]") {
@@ -136,7 +167,7 @@ TEST_CASE("a stale index says so, model by model", "[index]") {
     const db::IndexInfo info = fixture::value(index.info());
     CHECK(info.models == 3);
     CHECK(info.stale_models == 2);
-    CHECK(info.schema_version == 2);
+    CHECK(info.schema_version == db::newest_version());
     CHECK(info.bytes > 0);
     REQUIRE(info.builds.size() == 2);
     CHECK(info.builds[0].parameters == "old");
