@@ -58,7 +58,7 @@ core::Result<Database> open_collection(const std::filesystem::path& path, OpenMo
         if (const core::Result<void> done = migrate(*database); !done) return core::unexpected(done.error());
     }
     if (mode != OpenMode::ReadOnly) {
-        if (const core::Result<void> done = database->use_write_ahead_log(); !done) {
+        if (const core::Result<void> done = database->use_write_ahead_log(options.busy_timeout_ms); !done) {
             return core::unexpected(done.error());
         }
     }

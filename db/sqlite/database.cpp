@@ -91,8 +91,15 @@ core::Result<Database> Database::open(const fs::path& path, OpenMode mode, const
                             path.string());
 }
 
-core::Result<void> Database::use_write_ahead_log() const {
-    return execute("PRAGMA journal_mode = WAL");
+core::Result<void> Database::use_write_ahead_log(int busy_timeout_ms) const {
+    // SQLite does not wait for another program's lock here.
+    constexpr int kPause_ms = 5;
+    for (int waited_ms = 0;; waited_ms += kPause_ms) {
+        const int code = sqlite3_exec(connection_->handle, "PRAGMA journal_mode = WAL", nullptr, nullptr, nullptr);
+        if (code == SQLITE_OK) return {};
+        if ((code & 0xff) != SQLITE_BUSY || waited_ms >= busy_timeout_ms) return connection_->failure();
+        sqlite3_sleep(kPause_ms);
+    }
 }
 
 core::Result<void> Database::execute(const std::string& sql) const {

@@ -35,8 +35,9 @@ class Database {
     [[nodiscard]] static core::Result<Database> open(const std::filesystem::path& path, OpenMode mode,
                                                      const DatabaseOptions& options);
 
-    /// Changes over to the write-ahead log, for good. Where the file system has no shared memory, nothing changes.
-    [[nodiscard]] core::Result<void> use_write_ahead_log() const;
+    /// Changes over to the write-ahead log, for good; waits so long for another program's lock. Where the file system
+    /// has no shared memory, nothing changes.
+    [[nodiscard]] core::Result<void> use_write_ahead_log(int busy_timeout_ms) const;
 
     /// Runs statements that give no rows, several if separated by semicolons; stops at the first failure.
     [[nodiscard]] core::Result<void> execute(const std::string& sql) const;

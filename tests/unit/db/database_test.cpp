@@ -126,7 +126,7 @@ TEST_CASE("a file that is not ours is refused and not altered by a byte", "[data
         const db::DatabaseOptions theirs{.application_id = 77};
         const Database made = fixture::value(Database::open(workshop / "other", OpenMode::Create, theirs));
         fixture::ok(made.execute("PRAGMA application_id = 77; CREATE TABLE diary (line TEXT)"));
-        fixture::ok(made.use_write_ahead_log());
+        fixture::ok(made.use_write_ahead_log(100));
         fixture::ok(made.execute("INSERT INTO diary VALUES ('I drew a horse')"));
         for (const char* name : {"other", "other-wal"})
             fixture::write_bytes(folder / name, fixture::read_bytes(workshop / name));
@@ -150,7 +150,7 @@ TEST_CASE("a newer version that stands only in the log is refused too", "[databa
     const TemporaryFolder folder;
     make_database(folder / "a.db");
     const Database writer = fixture::value(Database::open(folder / "a.db", OpenMode::ReadWrite, kOurs));
-    fixture::ok(writer.use_write_ahead_log());
+    fixture::ok(writer.use_write_ahead_log(100));
     fixture::ok(writer.execute("PRAGMA user_version = 4"));
     CHECK(refusal(folder / "a.db", OpenMode::ReadOnly) == ErrorCode::NewerVersion);
 }
@@ -170,7 +170,7 @@ TEST_CASE("a read-only folder is searched, and refused for writing", "[database]
     make_database(folder / "a #1?%.db", "INSERT INTO t (n) VALUES (42)");
     {
         fixture::ok(
-            fixture::value(Database::open(folder / "a #1?%.db", OpenMode::ReadWrite, kOurs)).use_write_ahead_log());
+            fixture::value(Database::open(folder / "a #1?%.db", OpenMode::ReadWrite, kOurs)).use_write_ahead_log(100));
     }
     std::filesystem::permissions(folder / "a #1?%.db", std::filesystem::perms(0444));
     std::filesystem::permissions(folder.path(), std::filesystem::perms(0555));
@@ -193,7 +193,7 @@ TEST_CASE("a log left over in a read-only folder is not passed over in silence",
     const TemporaryFolder workshop;
     make_database(workshop / "a.db");
     const Database writer = fixture::value(Database::open(workshop / "a.db", OpenMode::ReadWrite, kOurs));
-    fixture::ok(writer.use_write_ahead_log());
+    fixture::ok(writer.use_write_ahead_log(100));
     fixture::ok(writer.execute("INSERT INTO t (n) VALUES (42)"));
     const TemporaryFolder folder;
     for (const char* name : {"a.db", "a.db-wal"}) {

@@ -15,7 +15,7 @@ constexpr db::DatabaseOptions kOptions{.application_id = 0, .newest_version = 0,
 Database open_table(const TemporaryFolder& folder, const db::DatabaseOptions& options = kOptions) {
     Database database = fixture::value(Database::open(folder / "a.db", OpenMode::Create, options));
     fixture::ok(database.execute("CREATE TABLE IF NOT EXISTS t (n INTEGER)"));
-    fixture::ok(database.use_write_ahead_log());
+    fixture::ok(database.use_write_ahead_log(100));
     return database;
 }
 
