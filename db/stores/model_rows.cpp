@@ -1,6 +1,7 @@
 #include "db/stores/model_rows.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <utility>
 
@@ -25,9 +26,17 @@ struct EncodedModel {
     Blob mesh;
 };
 
+bool is_png(BlobView bytes) {
+    constexpr std::array<unsigned char, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    return bytes.size() > kSignature.size() && std::memcmp(bytes.data(), kSignature.data(), kSignature.size()) == 0;
+}
+
 core::Result<EncodedView> encode_view(const ModelView& view) {
     if (!std::isfinite(view.skeletal_length) || !std::isfinite(view.asymmetry) || view.camera_number < 0) {
         return core::unexpected(core::ErrorCode::BadArgument, "a view's number, length or asymmetry is out of range");
+    }
+    if (!view.thumbnail.empty() && !is_png(view.thumbnail)) {
+        return core::unexpected(core::ErrorCode::BadArgument, "a view's thumbnail is no PNG");
     }
     core::Result<Blob> camera = encode_camera(view.camera);
     if (!camera) return core::unexpected(camera.error());
@@ -113,7 +122,7 @@ std::uint64_t checksum_of(const std::string& text) {
     return core::fnv1a64(std::as_bytes(std::span(text)));
 }
 
-ModelWriter::ModelWriter(const Database& database, std::array<Statement, 7> statements)
+ModelWriter::ModelWriter(const Database& database, std::array<Statement, 8> statements)
     : database_(&database),
       find_(std::move(statements[0])),
       insert_(std::move(statements[1])),
@@ -121,10 +130,11 @@ ModelWriter::ModelWriter(const Database& database, std::array<Statement, 7> stat
       insert_view_(std::move(statements[3])),
       insert_mesh_(std::move(statements[4])),
       delete_views_(std::move(statements[5])),
-      delete_mesh_(std::move(statements[6])) {}
+      delete_mesh_(std::move(statements[6])),
+      insert_thumbnail_(std::move(statements[7])) {}
 
 core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
-    core::Result<std::array<Statement, 7>> statements = prepare_all<7>(
+    core::Result<std::array<Statement, 8>> statements = prepare_all<8>(
         database, {"SELECT id FROM model WHERE source_path = ?",
                    "INSERT INTO model (source_path, name, class_name, content_hash, file_size, build_id, checksum) "
                    "VALUES (?, ?, ?, ?, ?, ?, ?)",
@@ -134,7 +144,8 @@ core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
                    "camera_checksum, outline, outline_checksum, descriptor, descriptor_checksum) "
                    "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                    "INSERT INTO display_mesh (model_id, mesh, mesh_checksum) VALUES (?, ?, ?)",
-                   "DELETE FROM view WHERE model_id = ?", "DELETE FROM display_mesh WHERE model_id = ?"});
+                   "DELETE FROM view WHERE model_id = ?", "DELETE FROM display_mesh WHERE model_id = ?",
+                   "INSERT INTO thumbnail (model_id, number, png, png_checksum) VALUES (?, ?, ?, ?)"});
     if (!statements) return core::unexpected(statements.error());
     return ModelWriter(database, std::move(*statements));
 }
@@ -187,7 +198,13 @@ core::Result<std::int64_t> ModelWriter::write(const ModelRecord& model, std::int
         bind_with_checksum(insert_view_, encoded->views[i].camera);
         bind_with_checksum(insert_view_, encoded->views[i].outline);
         bind_with_checksum(insert_view_, encoded->views[i].readings);
-        if (const core::Result<void> done = insert_view_.run(); !done) return core::unexpected(done.error());
+        core::Result<void> done = insert_view_.run();
+        if (done && !view.thumbnail.empty()) {
+            insert_thumbnail_.bind(*id).bind(i);
+            bind_with_checksum(insert_thumbnail_, view.thumbnail);
+            done = insert_thumbnail_.run();
+        }
+        if (!done) return core::unexpected(done.error());
     }
     insert_mesh_.bind(*id);
     bind_with_checksum(insert_mesh_, encoded->mesh);
@@ -195,21 +212,23 @@ core::Result<std::int64_t> ModelWriter::write(const ModelRecord& model, std::int
     return id;
 }
 
-ModelReader::ModelReader(std::array<Statement, 4> statements)
+ModelReader::ModelReader(std::array<Statement, 5> statements)
     : model_(std::move(statements[0])),
       view_(std::move(statements[1])),
       mesh_(std::move(statements[2])),
-      reading_(std::move(statements[3])) {}
+      reading_(std::move(statements[3])),
+      thumbnail_(std::move(statements[4])) {}
 
 core::Result<ModelReader> ModelReader::prepare(const Database& database) {
-    core::Result<std::array<Statement, 4>> statements = prepare_all<4>(
+    core::Result<std::array<Statement, 5>> statements = prepare_all<5>(
         database, {"SELECT source_path, name, class_name, content_hash, file_size, build_id, checksum FROM model "
                    "WHERE id = ?",
                    "SELECT camera_number, skeletal_length, asymmetry, checksum, camera, camera_checksum, outline, "
                    "outline_checksum, descriptor, descriptor_checksum FROM view WHERE model_id = ? AND number = ?",
                    "SELECT mesh, mesh_checksum FROM display_mesh WHERE model_id = ?",
                    "SELECT reading, descriptor, descriptor_checksum FROM reading WHERE model_id = ? AND number = ? "
-                   "ORDER BY reading"});
+                   "ORDER BY reading",
+                   "SELECT png, png_checksum FROM thumbnail WHERE model_id = ? AND number = ?"});
     if (!statements) return core::unexpected(statements.error());
     return ModelReader(std::move(*statements));
 }
@@ -306,6 +325,25 @@ std::optional<core::TriangleMesh> ModelReader::read_mesh(std::int64_t id, const 
     mesh_.reset();
     if (damaged.size() > before) return std::nullopt;
     return mesh;
+}
+
+std::vector<std::byte> ModelReader::read_thumbnail(std::int64_t id, int number, const std::string& name,
+                                                   std::vector<Damage>& damaged) {
+    const auto note = [&](const std::string& message) {
+        damaged.push_back({id, name, "thumbnail of view " + std::to_string(number), message});
+        thumbnail_.reset();
+        return std::vector<std::byte>();
+    };
+    const core::Result<bool> row = thumbnail_.bind(id).bind(number).step();
+    if (!row) return note(row.error().message);
+    if (!*row) return {};
+    const BlobView png = thumbnail_.blob(0);
+    if (checksum_of(png) != static_cast<std::uint64_t>(thumbnail_.integer(1)) || !is_png(png)) {
+        return note(kNotAsWritten);
+    }
+    std::vector<std::byte> bytes(png.begin(), png.end());
+    thumbnail_.reset();
+    return bytes;
 }
 
 }  // namespace db

@@ -1,5 +1,6 @@
 #pragma once
-// One model <-> its rows in `model`, `view` and `display_mesh`, checksums included. Of use inside db/stores only.
+// One model <-> its rows in `model`, `view`, `thumbnail` and `display_mesh`, checksums included. Of use inside
+// db/stores only.
 
 #include <array>
 #include <optional>
@@ -20,11 +21,11 @@ class ModelWriter {
     [[nodiscard]] core::Result<void> update(std::int64_t id, const ModelRecord& model, std::int64_t build_id);
 
   private:
-    ModelWriter(const Database& database, std::array<Statement, 7> statements);
+    ModelWriter(const Database& database, std::array<Statement, 8> statements);
     [[nodiscard]] core::Result<std::int64_t> write_model_row(const ModelRecord& model, std::int64_t build_id);
 
     const Database* database_;
-    Statement find_, insert_, update_, insert_view_, insert_mesh_, delete_views_, delete_mesh_;
+    Statement find_, insert_, update_, insert_view_, insert_mesh_, delete_views_, delete_mesh_, insert_thumbnail_;
 };
 
 /// Reads models part by part, noting what is damaged and going on. Never throws a whole model away for its mesh.
@@ -36,16 +37,19 @@ class ModelReader {
     [[nodiscard]] std::optional<ModelRecord> read(std::int64_t id, std::vector<Damage>& damaged);
     [[nodiscard]] std::optional<core::TriangleMesh> read_mesh(std::int64_t id, const std::string& name,
                                                               std::vector<Damage>& damaged);
+    /// A view's PNG; empty where there is none or it is damaged.
+    [[nodiscard]] std::vector<std::byte> read_thumbnail(std::int64_t id, int number, const std::string& name,
+                                                        std::vector<Damage>& damaged);
     /// Of the model that was read last.
     [[nodiscard]] std::int64_t build_id() const { return build_id_; }
 
   private:
-    explicit ModelReader(std::array<Statement, 4> statements);
+    explicit ModelReader(std::array<Statement, 5> statements);
     void read_view(int number, ModelRecord& model, std::vector<Damage>& damaged);
     /// Until schema 2 a view's row held its first reading and `reading` the others; now the row holds all.
     void read_old_readings(int number, ModelRecord& model, std::vector<Damage>& damaged);
 
-    Statement model_, view_, mesh_, reading_;
+    Statement model_, view_, mesh_, reading_, thumbnail_;
     std::int64_t build_id_ = 0;
 };
 

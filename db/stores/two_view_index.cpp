@@ -171,25 +171,47 @@ core::Result<ModelRecord> TwoViewIndex::load(std::int64_t id) const {
     if (model) {
         std::optional<core::TriangleMesh> mesh = reader->read_mesh(id, model->name, damaged);
         if (mesh) model->display_mesh = std::move(*mesh);
+        for (int v = 0; v < 2; ++v) {
+            model->views[static_cast<std::size_t>(v)].thumbnail = reader->read_thumbnail(id, v, model->name, damaged);
+        }
     }
     if (!damaged.empty()) return damage_error(damaged.front(), database_.where());
     return std::move(*model);
 }
 
-core::Result<core::TriangleMesh> TwoViewIndex::load_display_mesh(std::int64_t id) const {
-    core::Result<Transaction> moment = Transaction::begin(database_, Transaction::Kind::Read);
-    if (!moment) return core::unexpected(moment.error());
+core::Result<std::string> TwoViewIndex::name_of(std::int64_t id) const {
     core::Result<Statement> find = database_.prepare("SELECT name FROM model WHERE id = ?");
     if (!find) return core::unexpected(find.error());
     const core::Result<bool> row = find->bind(id).step();
     if (!row) return core::unexpected(row.error());
     if (!*row) return core::unexpected(no_such_model(id));
+    return find->text(0);
+}
+
+core::Result<core::TriangleMesh> TwoViewIndex::load_display_mesh(std::int64_t id) const {
+    core::Result<Transaction> moment = Transaction::begin(database_, Transaction::Kind::Read);
+    if (!moment) return core::unexpected(moment.error());
+    const core::Result<std::string> name = name_of(id);
+    if (!name) return core::unexpected(name.error());
     core::Result<ModelReader> reader = ModelReader::prepare(database_);
     if (!reader) return core::unexpected(reader.error());
     std::vector<Damage> damaged;
-    std::optional<core::TriangleMesh> mesh = reader->read_mesh(id, find->text(0), damaged);
+    std::optional<core::TriangleMesh> mesh = reader->read_mesh(id, *name, damaged);
     if (!mesh) return damage_error(damaged.front(), database_.where());
     return std::move(*mesh);
+}
+
+core::Result<std::vector<std::byte>> TwoViewIndex::load_thumbnail(std::int64_t id, int view) const {
+    core::Result<Transaction> moment = Transaction::begin(database_, Transaction::Kind::Read);
+    if (!moment) return core::unexpected(moment.error());
+    const core::Result<std::string> name = name_of(id);
+    if (!name) return core::unexpected(name.error());
+    core::Result<ModelReader> reader = ModelReader::prepare(database_);
+    if (!reader) return core::unexpected(reader.error());
+    std::vector<Damage> damaged;
+    std::vector<std::byte> png = reader->read_thumbnail(id, view, *name, damaged);
+    if (!damaged.empty()) return damage_error(damaged.front(), database_.where());
+    return png;
 }
 
 core::Result<void> TwoViewIndex::vacuum() {

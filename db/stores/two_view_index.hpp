@@ -36,6 +36,7 @@ struct ModelView {
     std::vector<core::ShapeDescriptor> further;  ///< readings 1, 2 … of the same outline; may be empty
     double skeletal_length = 0.0;                ///< 7.1.2
     double asymmetry = 0.0;                      ///< 7.1.2, distance to the reversed self
+    std::vector<std::byte> thumbnail;            ///< a PNG of the model from `camera`; empty: none
 };
 
 struct ModelRecord {
@@ -64,15 +65,15 @@ struct ModelEntry {
 struct Damage {
     std::int64_t model_id = 0;  ///< 0: the file as a whole
     std::string model;          ///< name; empty for the file as a whole
-    std::string
-        part;  ///< "record", "view 1", "camera of view 0", "outline of …", "descriptor of …", "display mesh", "file"
+    std::string part;  ///< "record", "view 1", "camera of view 0", "outline of …", "descriptor of …", "thumbnail of …",
+                       ///< "display mesh", "file"
     std::string message;
     /// "model 7 (horse), descriptor of view 1: it is damaged (…)"
     [[nodiscard]] std::string sentence() const;
 };
 
 struct LoadedModels {
-    std::vector<ModelRecord> models;  ///< whole models only, in the order of ids, without display meshes
+    std::vector<ModelRecord> models;  ///< whole models only, in the order of ids, without display meshes and thumbnails
     std::vector<Damage> damaged;      ///< what was passed over
 };
 
@@ -126,10 +127,12 @@ class TwoViewIndex {
     /// What a search needs, of one moment. 1,000 models with three readings a view take some 300 ms of one core, most
     /// of it measuring their parts.
     [[nodiscard]] core::Result<LoadedModels> load_views() const;
-    /// One whole model, its mesh included. BadArgument if there is no such id.
+    /// One whole model, its mesh and thumbnails included. BadArgument if there is no such id.
     [[nodiscard]] core::Result<ModelRecord> load(std::int64_t id) const;
     /// BadArgument if there is no such id.
     [[nodiscard]] core::Result<core::TriangleMesh> load_display_mesh(std::int64_t id) const;
+    /// The PNG of view 0 or 1; empty where the model has none. BadArgument if there is no such id.
+    [[nodiscard]] core::Result<std::vector<std::byte>> load_thumbnail(std::int64_t id, int view) const;
 
     /// Looks at every page, reference, checksum and blob; empty when all is well. Goes on after each find.
     [[nodiscard]] core::Result<std::vector<Damage>> check() const;
@@ -142,6 +145,7 @@ class TwoViewIndex {
   private:
     TwoViewIndex(Database database, IndexOptions options);
     [[nodiscard]] core::Result<std::int64_t> build_id();
+    [[nodiscard]] core::Result<std::string> name_of(std::int64_t id) const;
     [[nodiscard]] core::Error no_such_model(std::int64_t id) const;
 
     Database database_;

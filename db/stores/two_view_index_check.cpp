@@ -61,7 +61,9 @@ void check_models(const Database& database, std::vector<Damage>& damaged) {
         if (!*row) return;
         const std::int64_t id = ids->integer(0);
         const std::optional<ModelRecord> model = reader->read(id, damaged);
-        (void)reader->read_mesh(id, model ? model->name : std::string(), damaged);
+        const std::string name = model ? model->name : std::string();
+        (void)reader->read_mesh(id, name, damaged);
+        for (int v = 0; v < 2; ++v) (void)reader->read_thumbnail(id, v, name, damaged);
     }
 }
 

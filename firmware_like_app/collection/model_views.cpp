@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "core/exchange/png_writer.hpp"
 #include "core/match/match.hpp"
 #include "core/mesh/compact.hpp"
 #include "core/mesh/normalise.hpp"
@@ -22,13 +23,14 @@ std::string parameters_text(const ViewParameters& v) {
     char text[512];
     std::snprintf(
         text, sizeof text,
-        "describer %d; px %d; longest %d; display %zu; contour %d %g; window %d; extent %g; samples %d; scale %g; "
+        "describer %d; readings %zu; px %d; longest %d; display %zu; thumbnail %dx%d; contour %d %g; window %d; extent "
+        "%g; samples %d; scale %g; "
         "insignificant %g %g %g %g; large %g; long %g %g %g %g; bent %d %g %g; unit %g; block %d; depth %g %g; wing %d",
-        kDescriberVersion, v.silhouette_px, v.longest, v.display_triangles, p.contour_points, p.contour_sigma, p.window,
-        p.extent, p.sample_size, p.scale_coef, p.small_area, p.thresh_small_clr, p.thresh_any_clr, p.sharp_turn_deg,
-        p.large_t, p.small_long_t, p.small_et, p.large_long_t, p.large_et, p.n_pockets, p.size_bent_t, p.convexity_t,
-        p.signature_unit, p.junction_block_limit, p.depth_threshold_first, p.depth_threshold_step,
-        p.wing_salient_limit);
+        kDescriberVersion, core::kReadingCount, v.silhouette_px, v.longest, v.display_triangles, v.thumbnail.width_px,
+        v.thumbnail.height_px, p.contour_points, p.contour_sigma, p.window, p.extent, p.sample_size, p.scale_coef,
+        p.small_area, p.thresh_small_clr, p.thresh_any_clr, p.sharp_turn_deg, p.large_t, p.small_long_t, p.small_et,
+        p.large_long_t, p.large_et, p.n_pockets, p.size_bent_t, p.convexity_t, p.signature_unit, p.junction_block_limit,
+        p.depth_threshold_first, p.depth_threshold_step, p.wing_salient_limit);
     return text;
 }
 
@@ -84,6 +86,12 @@ core::Result<void> describe_model(const core::TriangleMesh& mesh, const ViewPara
     record.display_mesh = core::without_unused_vertices(*display);
     for (core::Vec3& v : record.display_mesh.vertices) {  // where a merged vertex lies a little outside its faces
         v = {std::clamp(v.x, -1.0, 1.0), std::clamp(v.y, -1.0, 1.0), std::clamp(v.z, -1.0, 1.0)};
+    }
+    for (db::ModelView& view : record.views) {
+        core::Result<std::vector<std::byte>> png =
+            core::png_bytes(core::render_picture(record.display_mesh, view.camera, parameters.thumbnail));
+        if (!png) return core::unexpected(png.error());
+        view.thumbnail = std::move(*png);
     }
     return {};
 }

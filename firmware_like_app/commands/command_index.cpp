@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -22,8 +23,9 @@ using nlohmann::ordered_json;
 
 struct IndexOptions {
     std::vector<std::string> paths;
-    std::string database, classes, files;
+    std::string database, classes, files, picture;
     std::int64_t id = 0;
+    int view = 0;
     int jobs = core::core_count();
     bool json = false;
 };
@@ -114,6 +116,18 @@ void run_list(const IndexOptions& options, CommandState& state) {
     if (const auto stale = index->stale(); stale && *stale) std::fprintf(stderr, "croquis: %s\n", (*stale)->c_str());
 }
 
+core::Result<void> write_picture(const std::string& path, const std::vector<std::byte>& png) {
+    if (png.empty()) {
+        return core::unexpected(core::ErrorCode::BadArgument,
+                                "the model has no picture yet; call `croquis index build` again");
+    }
+    std::ofstream file(path, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+    if (file.flush()) return {};
+    return core::unexpected(core::ErrorCode::WriteFailed,
+                            "the picture cannot be written; check that the folder exists and has room", path);
+}
+
 void run_show(const IndexOptions& options, CommandState& state) {
     const auto index = open_index(options, db::OpenMode::ReadOnly);
     if (!index) return fail(state, index.error());
@@ -126,7 +140,14 @@ void run_show(const IndexOptions& options, CommandState& state) {
                          {"skeletal_length", v.skeletal_length},
                          {"asymmetry", v.asymmetry},
                          {"terminals", v.descriptor.terminal_count},
-                         {"parts", v.descriptor.parts.size()}});
+                         {"parts", v.descriptor.parts.size()},
+                         {"readings", 1 + v.further.size()},
+                         {"thumbnail_bytes", v.thumbnail.size()}});
+    }
+    if (!options.picture.empty()) {
+        const auto written =
+            write_picture(options.picture, model->views[static_cast<std::size_t>(options.view)].thumbnail);
+        if (!written) return fail(state, written.error());
     }
     const ordered_json out{{"id", model->id},
                            {"name", model->name},
@@ -192,7 +213,10 @@ void add_index_commands(CLI::App& cli, CommandState& state) {
     build->add_option("--files", options->files, "folder of the files that a .cla numbers; default: the first PATH");
     build->add_option("--jobs", options->jobs, "threads")->check(CLI::PositiveNumber);
     add("list", "All models", run_list);
-    add("show", "One model", run_show)->add_option("ID", options->id)->required();
+    CLI::App* show = add("show", "One model", run_show);
+    show->add_option("ID", options->id)->required();
+    show->add_option("--picture", options->picture, "write its thumbnail, a PNG");
+    show->add_option("--view", options->view, "of which of its two views, 0 or 1")->check(CLI::Range(0, 1));
     add("remove", "Take one model out", run_remove)->add_option("ID", options->id)->required();
     add("check", "Verify every record", run_check);
     add("vacuum", "Give the space of removed models back", run_vacuum);

@@ -153,6 +153,9 @@ db::ModelRecord random_model(int n) {
         for (int k = 0; k < n % 3; ++k) view.further.push_back(random_descriptor(random, whole(random, 2, 6), 1));
         view.skeletal_length = real(random, 0.0, 10.0);
         view.asymmetry = real(random, 0.0, 3.0);
+        for (const int byte : {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, n, 7}) {
+            view.thumbnail.push_back(static_cast<std::byte>(byte));
+        }
     }
     model.display_mesh = random_mesh(random, 60, 100, n % 2 == 0);
     return model;

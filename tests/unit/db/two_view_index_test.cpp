@@ -46,6 +46,11 @@ TEST_CASE("models come back as they were stored, in the order of insertion", "[i
         const ModelRecord whole = fixture::value(index.load(loaded.models[i].id));
         CHECK(fixture::same_views(whole, expected));
         CHECK(fixture::same_mesh(whole.display_mesh, expected.display_mesh));
+        CHECK(loaded.models[i].views[0].thumbnail.empty());
+        for (std::size_t v = 0; v < 2; ++v) {
+            CHECK(whole.views[v].thumbnail == models[i].views[v].thumbnail);
+            CHECK(fixture::value(index.load_thumbnail(whole.id, static_cast<int>(v))) == whole.views[v].thumbnail);
+        }
     }
 }
 
@@ -77,6 +82,18 @@ TEST_CASE("an outline that is the first reading's samples is not stored twice", 
     CHECK(read.views[1].outline == read.views[1].descriptor.samples);
     const db::Database database = fixture::value(db::open_collection(folder / "models.db", OpenMode::ReadOnly));
     CHECK(fixture::value(database.integer("SELECT max(length(outline)) FROM view")) == 3);
+}
+
+TEST_CASE("a model may have no thumbnails, and a replaced one loses its old ones", "[index]") {
+    const TemporaryFolder folder;
+    TwoViewIndex index = open(folder);
+    ModelRecord model = fixture::random_model(0);
+    fixture::value(index.add(model));
+    for (db::ModelView& view : model.views) view.thumbnail.clear();
+    CHECK(fixture::value(index.add(model)) == 1);
+    CHECK(fixture::value(index.load_thumbnail(1, 0)).empty());
+    CHECK(fixture::value(index.check()).empty());
+    CHECK(fixture::sentence(index.load_thumbnail(2, 0)).find("there is no model 2") != std::string::npos);
 }
 
 TEST_CASE("the list names the models without their blobs", "[index]") {
@@ -202,6 +219,9 @@ TEST_CASE("a model that cannot be stored is named, and nothing of its batch is",
     }
     SECTION("descriptor") {
         batch[1].views[0].descriptor.stop_points = {-1};
+    }
+    SECTION("thumbnail") {
+        batch[1].views[1].thumbnail[3] = std::byte{0};
     }
     SECTION("length") {
         batch[1].views[0].skeletal_length = std::numeric_limits<double>::quiet_NaN();
