@@ -1,6 +1,7 @@
 #include "core/exchange/isolated.hpp"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -39,9 +40,14 @@ bool write_all(int pipe_end, const std::string& bytes) {
     return true;
 }
 
-[[noreturn]] void run_in_child(const std::function<std::string()>& work, const IsolationLimits& limits, int pipe_end) {
+[[noreturn]] void run_in_child(const std::function<std::string()>& work, const IsolationLimits& limits, int pipe_end,
+                               pid_t parent) {
     // A crash should end quietly, whatever handlers the program has set.
     for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) std::signal(crash, SIG_DFL);
+    // Ctrl-C reaches both processes, and this one has nothing to save. Nor should it live on when the other is killed.
+    for (const int end : {SIGINT, SIGTERM, SIGHUP}) std::signal(end, SIG_DFL);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(kFailed);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, limits.processor_seconds);
     // A sanitizer's shadow memory is terabytes of address space, which such a limit would forbid.
@@ -76,10 +82,11 @@ Result<std::string> run_isolated(const std::function<std::string()>& work, const
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
         return unexpected(ErrorCode::Internal, "the system has no pipe to spare; close other programs");
     }
+    const pid_t parent = getpid();
     const pid_t child = fork();
     if (child == 0) {
         close(ends[0]);
-        run_in_child(work, limits, ends[1]);
+        run_in_child(work, limits, ends[1], parent);
     }
     close(ends[1]);
     if (child < 0) {
@@ -95,6 +102,9 @@ Result<std::string> run_isolated(const std::function<std::string()>& work, const
     if (WIFEXITED(status) && WEXITSTATUS(status) == kNoMemory) {
         return unexpected(ErrorCode::BadMesh, "the model needs more memory than it may have; simplify it first");
     }
+    const bool ended_by_hand = WIFSIGNALED(status) && (WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM ||
+                                                       WTERMSIG(status) == SIGHUP);
+    if (ended_by_hand) return unexpected(ErrorCode::Cancelled, "reading the model was interrupted; try again");
     if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)) {
         return unexpected(ErrorCode::BadFormat, "the model cannot be read in reasonable time; export it again");
     }

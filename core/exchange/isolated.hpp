@@ -18,9 +18,9 @@ struct IsolationLimits {
 
 /// The bytes that `work` returns, computed in a forked copy of this process; whatever else it changes is lost.
 /// A crash, an exception, and an answer that is too long give BadFormat, too much memory BadMesh, too much time
-/// BadFormat; a system that has no process to spare Internal. The work must not wait for other threads: the copy has
-/// none. Safe to call from several threads. Costs about a millisecond more than the work itself, and memory for the
-/// answer.
+/// BadFormat; a system that has no process to spare Internal; a copy ended by Ctrl-C or SIGTERM Cancelled. The copy
+/// does not outlive the thread that asked. The work must not wait for other threads: the copy has none. Safe to call
+/// from several threads. Costs about a millisecond more than the work itself, and memory for the answer.
 [[nodiscard]] Result<std::string> run_isolated(const std::function<std::string()>& work, const IsolationLimits& limits);
 
 }  // namespace core

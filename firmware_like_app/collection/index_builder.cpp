@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
-#include <set>
+#include <unordered_map>
 
-#include "core/base/checksum.hpp"
-#include "core/base/parallel.hpp"
 #include "core/exchange/mesh_reader.hpp"
+#include "firmware_like_app/collection/memory_gate.hpp"
+#include "firmware_like_app/collection/ordered_work.hpp"
 #include "firmware_like_app/collection/stopwatch.hpp"
 
 namespace app {
@@ -35,175 +34,204 @@ std::string model_name(const std::string& file_stem, const std::string& class_na
 
 namespace {
 
-std::string canonical_text(const fs::path& path) {
-    std::error_code error;
-    const fs::path full = fs::weakly_canonical(path, error);
-    return (error ? path : full).string();
-}
+constexpr std::size_t kBatchModels = 32;
+constexpr double kBatchMs = 2000.0;
+constexpr std::size_t kWindow = 96;
+constexpr std::uint64_t kBytesAtOnce = 64ULL << 20;
 
-core::Result<std::vector<std::string>> files_of(const std::vector<std::string>& paths) {
-    std::set<std::string> files;
-    for (const std::string& path : paths) {
-        std::error_code error;
-        if (fs::is_directory(path, error)) {
-            for (fs::recursive_directory_iterator it(path, fs::directory_options::skip_permission_denied, error), end;
-                 !error && it != end; it.increment(error)) {
-                std::error_code ignored;
-                if (it->is_regular_file(ignored) && core::has_mesh_extension(it->path())) {
-                    files.insert(canonical_text(it->path()));
-                }
-            }
-            if (error) {
-                return core::unexpected(core::ErrorCode::FileUnreadable,
-                                        "the folder cannot be read; check its permissions", path);
-            }
-        } else if (fs::exists(path, error)) {
-            files.insert(canonical_text(path));
-        } else {
-            return core::unexpected(core::ErrorCode::FileMissing, "there is no such file or folder; check the path",
-                                    path);
-        }
-    }
-    return std::vector<std::string>(files.begin(), files.end());
-}
-
-/// What identifies the file's content.
-struct Content {
-    std::uint64_t hash = 0;
-    std::uint64_t size = 0;
-};
-
-core::Result<Content> content_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        return core::unexpected(core::ErrorCode::FileUnreadable, "the file cannot be read; check its permissions",
-                                path);
-    Content content;
-    content.hash = core::fnv1a64({});
-    std::vector<char> buffer(1 << 16);
-    while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), file.gcount() > 0) {
-        const std::span<const char> read(buffer.data(), static_cast<std::size_t>(file.gcount()));
-        content.hash = core::fnv1a64(std::as_bytes(read), content.hash);
-        content.size += read.size();
-    }
-    return content;
-}
-
-/// One file on its way through a worker.
-struct Job {
-    std::string path;
+/// What became of one file.
+struct Outcome {
+    enum class Kind { Unchanged, Described, Failed, Interrupted };
+    Kind kind = Kind::Interrupted;
+    db::ModelRecord record;
     std::string class_name;
-    std::optional<db::ModelRecord> record;
-    bool unchanged = false;
     std::string why;
 };
 
-void describe_job(Job& job, const Content& content, const ViewParameters& parameters) {
-    const core::Result<core::TriangleMesh> mesh = core::read_mesh(job.path);
-    if (!mesh) {
-        job.why = mesh.error().message;
-        return;
+class Builder {
+  public:
+    Builder(const IndexBuildOptions& options, db::TwoViewIndex& index, std::stop_token stop)
+        : options_(options), index_(index), stop_(std::move(stop)) {
+        for (const core::LabelledFile& file : options.classes) class_of_[canonical_path(file.path)] = file.class_name;
     }
-    db::ModelRecord record;
-    record.name = model_name(fs::path(job.path).stem().string(), job.class_name);
-    record.class_name = job.class_name;
-    record.source_path = job.path;
-    record.content_hash = content.hash;
-    record.file_size = content.size;
-    const core::Result<void> described = describe_model(*mesh, parameters, record);
-    if (described) {
-        job.record = std::move(record);
-    } else {
-        job.why = described.error().message;
-    }
-}
 
-/// Adds what the jobs made, one transaction for all; if that is refused, one by one, so that one bad model spoils no
-/// other.
-core::Result<void> store(std::vector<Job>& jobs, db::TwoViewIndex& index, IndexBuildReport& report) {
-    std::vector<db::ModelRecord> records;
-    for (Job& job : jobs) {
-        report.skipped += job.unchanged ? 1 : 0;
-        if (!job.why.empty()) report.failed.push_back({job.path, job.why});
-        if (job.record) records.push_back(std::move(*job.record));
+    core::Result<IndexBuildReport> build(ModelFiles found, const std::function<void(IndexBuildProgress)>& progress) {
+        if (const core::Result<void> known = look_up_known(found.files); !known) return core::unexpected(known.error());
+        report_.failed = std::move(found.unreadable);
+        const std::vector<std::string>& files = found.files;
+        core::Result<void> stored;
+        work_in_order(
+            files.size(), options_.jobs, kWindow, [&](std::size_t i) { return work(files[i]); },
+            [&](std::size_t i, Outcome outcome) {
+                if (!take(files[i], std::move(outcome))) return false;
+                if (batch_.size() >= kBatchModels || since_stored_.ms() > kBatchMs) stored = store();
+                if (progress) progress({i + 1, files.size()});
+                return stored.has_value();
+            });
+        if (stored) stored = store();
+        if (!stored) return core::unexpected(stored.error());
+        return std::move(report_);
     }
-    if (records.empty()) return {};
-    const auto ids = index.add_all(records);
-    if (ids) {
-        report.added += static_cast<int>(records.size());
+
+  private:
+    /// Notes what the index has. Stale models are worked on too, or kept where their files are gone.
+    core::Result<void> look_up_known(std::vector<std::string>& files) {
+        core::Result<std::vector<db::ModelEntry>> entries = index_.list();
+        if (!entries) return core::unexpected(entries.error());
+        const std::size_t asked_for = files.size();
+        const auto is_asked_for = [&](const std::string& path) {
+            return std::binary_search(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(asked_for), path);
+        };
+        for (db::ModelEntry& entry : *entries) {
+            if (entry.stale && !is_asked_for(entry.source_path)) {
+                std::error_code missing;
+                if (fs::exists(entry.source_path, missing)) {
+                    files.push_back(entry.source_path);
+                } else {
+                    report_.kept.push_back({entry.source_path,
+                                            "described with other settings and kept as it is, for the file is gone; "
+                                            "bring it back and build again, or remove the model"});
+                }
+            }
+            std::string path = entry.source_path;
+            known_.emplace(std::move(path), std::move(entry));
+        }
+        std::sort(files.begin(), files.end());
         return {};
     }
-    if (ids.error().code == core::ErrorCode::WriteFailed || ids.error().code == core::ErrorCode::DatabaseFailed) {
-        return core::unexpected(ids.error());
+
+    [[nodiscard]] const db::ModelEntry* known(const std::string& path) const {
+        const auto it = known_.find(path);
+        return it == known_.end() ? nullptr : &it->second;
     }
-    for (const db::ModelRecord& record : records) {
-        const auto id = index.add(record);
-        if (id) {
-            ++report.added;
-        } else {
-            report.failed.push_back({record.source_path, id.error().message});
+
+    [[nodiscard]] std::string class_of(const std::string& path) const {
+        if (const auto it = class_of_.find(path); it != class_of_.end()) return it->second;
+        const db::ModelEntry* entry = known(path);
+        return entry != nullptr ? entry->class_name : std::string();
+    }
+
+    /// On a worker's thread: everything but storing.
+    Outcome work(const std::string& path) {
+        Outcome outcome;
+        outcome.class_name = class_of(path);
+        if (stop_.stop_requested()) return outcome;
+        const core::Result<FileContent> content = content_of(path);
+        if (!content) return failed(std::move(outcome), content.error());
+        const db::ModelEntry* entry = known(path);
+        if (entry != nullptr && !entry->stale && entry->content_hash == content->hash &&
+            entry->file_size == content->size) {
+            outcome.kind = Outcome::Kind::Unchanged;
+            return outcome;
+        }
+        const MemoryGate::Pass pass(gate_, content->size);
+        if (stop_.stop_requested()) return outcome;
+        core::Result<core::TriangleMesh> mesh = core::read_mesh(path);
+        if (!mesh) return failed(std::move(outcome), mesh.error());
+        db::ModelRecord& record = outcome.record;
+        record.name = model_name(fs::path(path).stem().string(), outcome.class_name);
+        record.class_name = outcome.class_name;
+        record.source_path = path;
+        record.content_hash = content->hash;
+        record.file_size = content->size;
+        const core::Result<void> described = describe_model(std::move(*mesh), options_.parameters, record);
+        if (!described) return failed(std::move(outcome), described.error());
+        outcome.kind = Outcome::Kind::Described;
+        return outcome;
+    }
+
+    static Outcome failed(Outcome outcome, const core::Error& error) {
+        // A reader that Ctrl-C has ended says nothing about the file.
+        if (error.code == core::ErrorCode::Cancelled) return outcome;
+        outcome.kind = Outcome::Kind::Failed;
+        outcome.why = error.message;
+        return outcome;
+    }
+
+    /// False when the build was interrupted at this file. What others have described beyond it is dropped, so that a
+    /// later build gives the same ids as one in one go.
+    bool take(const std::string& path, Outcome outcome) {
+        switch (outcome.kind) {
+            case Outcome::Kind::Interrupted:
+                report_.interrupted = true;
+                return false;
+            case Outcome::Kind::Unchanged:
+                ++report_.skipped;
+                relabel_if_needed(*known(path), outcome.class_name);
+                return true;
+            case Outcome::Kind::Failed:
+                report_.failed.push_back({path, std::move(outcome.why)});
+                return true;
+            case Outcome::Kind::Described:
+                batch_.push_back(std::move(outcome.record));
+                return true;
+        }
+        return true;
+    }
+
+    /// An unchanged file may still have got another class.
+    void relabel_if_needed(const db::ModelEntry& entry, const std::string& class_name) {
+        if (entry.class_name == class_name) return;
+        const std::string name = model_name(fs::path(entry.source_path).stem().string(), class_name);
+        if (const auto done = index_.relabel(entry.id, name, class_name); !done) {
+            report_.failed.push_back({entry.source_path, done.error().message});
         }
     }
-    return {};
-}
 
-/// An unchanged file may still have got another class.
-void relabel_if_needed(db::TwoViewIndex& index, const Job& job) {
-    const auto entry = index.find(job.path);
-    if (!entry || !*entry || (*entry)->class_name == job.class_name || job.class_name.empty()) return;
-    (void)index.relabel((*entry)->id, model_name(fs::path(job.path).stem().string(), job.class_name), job.class_name);
-}
+    /// Stores the batch in one transaction; if that is refused, one by one, so that one bad model spoils no other.
+    core::Result<void> store() {
+        std::vector<db::ModelRecord> batch;
+        batch.swap(batch_);
+        since_stored_ = Stopwatch();
+        if (batch.empty()) return {};
+        const auto ids = index_.add_all(batch);
+        if (ids) {
+            report_.added += static_cast<int>(batch.size());
+            return {};
+        }
+        using core::ErrorCode;
+        const ErrorCode code = ids.error().code;
+        const bool of_a_model =
+            code == ErrorCode::BadArgument || code == ErrorCode::BadOutline || code == ErrorCode::BadMesh;
+        if (!of_a_model) return core::unexpected(ids.error());
+        for (const db::ModelRecord& record : batch) {
+            const auto id = index_.add(record);
+            if (id) {
+                ++report_.added;
+            } else {
+                report_.failed.push_back({record.source_path, id.error().message});
+            }
+        }
+        return {};
+    }
+
+    const IndexBuildOptions& options_;
+    db::TwoViewIndex& index_;
+    std::stop_token stop_;
+    std::map<std::string, std::string> class_of_;
+    std::unordered_map<std::string, db::ModelEntry> known_;
+    MemoryGate gate_{kBytesAtOnce};
+    std::vector<db::ModelRecord> batch_;
+    Stopwatch since_stored_;
+    IndexBuildReport report_;
+};
 
 }  // namespace
 
 core::Result<IndexBuildReport> build_index(const IndexBuildOptions& options, std::stop_token stop,
                                            const std::function<void(IndexBuildProgress)>& progress) {
     const Stopwatch watch;
-    const core::Result<std::vector<std::string>> files = files_of(options.paths);
-    if (!files) return core::unexpected(files.error());
-    if (files->empty()) {
-        return core::unexpected(core::ErrorCode::FileMissing,
-                                "there is no 3D model in it; give a folder with OFF, OBJ, STL, PLY, "
-                                "glTF, DAE or 3DS files",
-                                options.paths.empty() ? "" : options.paths.front());
+    ModelFiles found = find_model_files(options.paths);
+    if (found.files.empty()) {
+        const PassedOver first =
+            found.unreadable.empty() ? PassedOver{"", "there is no path; name a folder"} : found.unreadable.front();
+        return core::unexpected(core::ErrorCode::FileMissing, first.why, first.file);
     }
     core::Result<db::TwoViewIndex> index = db::TwoViewIndex::open(options.database, db::OpenMode::Create,
                                                                   {.parameters = parameters_text(options.parameters)});
     if (!index) return core::unexpected(index.error());
-    std::map<std::string, std::string> class_of;
-    for (const core::LabelledFile& file : options.classes) class_of[canonical_text(file.path)] = file.class_name;
-
-    constexpr std::size_t kBatch = 32;
-    IndexBuildReport report;
-    for (std::size_t first = 0; first < files->size() && !report.interrupted; first += kBatch) {
-        std::vector<Job> jobs;
-        std::vector<Content> contents;
-        for (std::size_t i = first; i < std::min(files->size(), first + kBatch); ++i) {
-            Job job{(*files)[i], {}, {}, false, {}};
-            if (const auto it = class_of.find(job.path); it != class_of.end()) job.class_name = it->second;
-            const core::Result<Content> content = content_of(job.path);
-            if (!content) {
-                job.why = content.error().message;
-            } else {
-                const core::Result<bool> unchanged = index->is_unchanged(job.path, content->hash, content->size);
-                if (!unchanged) return core::unexpected(unchanged.error());
-                job.unchanged = *unchanged;
-                if (job.unchanged) relabel_if_needed(*index, job);
-            }
-            contents.push_back(content ? *content : Content{});
-            jobs.push_back(std::move(job));
-        }
-        core::parallel_for(jobs.size(), options.jobs, [&](std::size_t i, int) {
-            if (!jobs[i].unchanged && jobs[i].why.empty() && !stop.stop_requested()) {
-                describe_job(jobs[i], contents[i], options.parameters);
-            }
-        });
-        const core::Result<void> stored = store(jobs, *index, report);
-        if (!stored) return core::unexpected(stored.error());
-        report.interrupted = stop.stop_requested();
-        if (progress) progress({std::min(files->size(), first + kBatch), files->size()});
-    }
-    report.ms = watch.ms();
+    core::Result<IndexBuildReport> report = Builder(options, *index, std::move(stop)).build(std::move(found), progress);
+    if (report) report->ms = watch.ms();
     return report;
 }
 

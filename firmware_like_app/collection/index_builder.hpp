@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/exchange/list_file.hpp"
+#include "firmware_like_app/collection/model_files.hpp"
 #include "firmware_like_app/collection/model_views.hpp"
 
 namespace app {
@@ -19,27 +20,27 @@ struct IndexBuildOptions {
     ViewParameters parameters;
 };
 
-struct IndexBuildFailure {
-    std::string file;
-    std::string why;
-};
-
 struct IndexBuildReport {
-    int added = 0;
+    int added = 0;    ///< new, changed, or stale and described again
     int skipped = 0;  ///< unchanged
-    std::vector<IndexBuildFailure> failed;
+    std::vector<PassedOver> failed;
+    std::vector<PassedOver> kept;  ///< described with other settings, but their files are gone: left as they are
     bool interrupted = false;
     double ms = 0.0;
 };
 
 struct IndexBuildProgress {
-    std::size_t done = 0;
+    std::size_t done = 0;  ///< files
     std::size_t total = 0;
 };
 
-/// Adds in the order of paths, so that ids do not depend on the number of jobs. A bad file is reported and passed over.
-/// Looks at `stop` after every few models; what was added stays. FileMissing for a path that is not there; the index's
-/// own errors.
+/// Adds in the order of paths, so that ids do not depend on the number of jobs, nor on whether a build was interrupted,
+/// or killed, and called again. A bad file or folder is reported and passed over; a model keeps its class where
+/// `classes` names none. Models in the index that were described with other parameters are described again, wherever
+/// their files are. What is added is durable after some dozens of models or a few seconds; `stop` is looked at before
+/// each file, and what was described until then is kept. Files of together more than 64 MB are not read at the same
+/// time. FileMissing when there is nothing to read at all; the index's own errors (NotAnIndex, NewerVersion,
+/// WriteFailed …), with what was added before still in it.
 [[nodiscard]] core::Result<IndexBuildReport> build_index(const IndexBuildOptions& options, std::stop_token stop,
                                                          const std::function<void(IndexBuildProgress)>& progress);
 

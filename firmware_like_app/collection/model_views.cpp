@@ -48,9 +48,8 @@ std::optional<core::Polygon> outline_in_plane(const core::TriangleMesh& mesh, in
 
 }  // namespace
 
-core::Result<void> describe_model(const core::TriangleMesh& mesh, const ViewParameters& parameters,
-                                  db::ModelRecord& record) {
-    const core::Result<core::TriangleMesh> normal = core::normalised_mesh(mesh);
+core::Result<void> describe_model(core::TriangleMesh mesh, const ViewParameters& parameters, db::ModelRecord& record) {
+    const core::Result<core::TriangleMesh> normal = core::normalised_mesh(std::move(mesh));
     if (!normal) return core::unexpected(normal.error());
     std::map<int, db::ModelView> described;
     std::vector<core::ViewCandidate> candidates;

@@ -22,7 +22,7 @@ struct ViewParameters {
 
 /// Fills in views (thumbnails too) and display mesh of the record; the other fields are the caller's. BadMesh or
 /// EmptyMesh when the model shows no silhouette from anywhere.
-[[nodiscard]] core::Result<void> describe_model(const core::TriangleMesh& mesh, const ViewParameters& parameters,
+[[nodiscard]] core::Result<void> describe_model(core::TriangleMesh mesh, const ViewParameters& parameters,
                                                 db::ModelRecord& record);
 
 }  // namespace app

@@ -1,7 +1,5 @@
 // croquis index build|list|show|remove|check|vacuum, croquis starter.
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -12,8 +10,8 @@
 #include "core/base/parallel.hpp"
 #include "core/starter/starter_collection.hpp"
 #include "firmware_like_app/collection/index_builder.hpp"
-#include "firmware_like_app/collection/stopwatch.hpp"
 #include "firmware_like_app/commands/commands.hpp"
+#include "firmware_like_app/commands/progress_bar.hpp"
 
 namespace app {
 
@@ -30,40 +28,77 @@ struct IndexOptions {
     bool json = false;
 };
 
+/// File names may be of any bytes; what is no UTF-8 is replaced.
+void print_json(const ordered_json& object, int indent = -1) {
+    std::printf("%s\n", object.dump(indent, ' ', false, ordered_json::error_handler_t::replace).c_str());
+}
+
 std::stop_source& interruption() {
     static std::stop_source source;
     return source;
 }
 
+/// Safe in a signal handler as long as nobody registers a stop_callback: then it is one atomic exchange.
 extern "C" void on_interrupt(int) {
     interruption().request_stop();
 }
 
-void show_progress(const Stopwatch& watch, IndexBuildProgress p) {
-    const double s = watch.ms() / 1000.0;
-    const double rate = s > 0.0 ? static_cast<double>(p.done) / s : 0.0;
-    const double left = rate > 0.0 ? static_cast<double>(p.total - p.done) / rate : 0.0;
-    constexpr std::size_t kWidth = 30;
-    const std::size_t filled = kWidth * p.done / std::max<std::size_t>(p.total, 1);
-    std::fprintf(stderr, "\r[%s%s] %zu of %zu models, %.1f a second, %.0f s left ", std::string(filled, '#').c_str(),
-                 std::string(kWidth - filled, '.').c_str(), p.done, p.total, rate, left);
-    if (p.done == p.total) std::fprintf(stderr, "\n");
+/// While it lives, Ctrl-C and SIGTERM ask the work to come to an end; a second one ends the program at once, which an
+/// index survives.
+class Interruptible {
+  public:
+    Interruptible() {
+        interruption() = std::stop_source();
+        struct sigaction action {};
+        action.sa_handler = on_interrupt;
+        action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+        sigemptyset(&action.sa_mask);
+        sigaction(SIGINT, &action, &before_int_);
+        sigaction(SIGTERM, &action, &before_term_);
+    }
+    ~Interruptible() {
+        sigaction(SIGINT, &before_int_, nullptr);
+        sigaction(SIGTERM, &before_term_, nullptr);
+    }
+    Interruptible(const Interruptible&) = delete;
+    Interruptible& operator=(const Interruptible&) = delete;
+    [[nodiscard]] static std::stop_token token() { return interruption().get_token(); }
+
+  private:
+    struct sigaction before_int_ {};
+    struct sigaction before_term_ {};
+};
+
+ordered_json as_json(const std::vector<PassedOver>& files) {
+    ordered_json out = ordered_json::array();
+    for (const PassedOver& f : files) out.push_back({{"file", f.file}, {"why", f.why}});
+    return out;
 }
 
-void print_build_report(const IndexBuildReport& report, bool as_json) {
-    for (const IndexBuildFailure& f : report.failed) {
+void print_build_report(const IndexBuildReport& report, bool json) {
+    for (const PassedOver& f : report.failed) {
         std::fprintf(stderr, "croquis: %s: passed over: %s\n", f.file.c_str(), f.why.c_str());
     }
-    if (as_json) {
-        ordered_json failed = ordered_json::array();
-        for (const IndexBuildFailure& f : report.failed) failed.push_back({{"file", f.file}, {"why", f.why}});
-        const ordered_json out{
-            {"added", report.added}, {"skipped", report.skipped}, {"failed", failed}, {"ms", report.ms}};
-        std::printf("%s\n", out.dump().c_str());
+    for (const PassedOver& f : report.kept) {
+        std::fprintf(stderr, "croquis: %s: %s\n", f.file.c_str(), f.why.c_str());
+    }
+    if (json) {
+        const ordered_json out{{"added", report.added},
+                               {"skipped", report.skipped},
+                               {"failed", as_json(report.failed)},
+                               {"kept", as_json(report.kept)},
+                               {"ms", report.ms}};
+        print_json(out);
         return;
     }
     std::printf("%d added, %d unchanged, %zu not readable, %.1f s\n", report.added, report.skipped,
                 report.failed.size(), report.ms / 1000.0);
+}
+
+core::Result<IndexBuildReport> build_with_progress(const IndexBuildOptions& build) {
+    const Interruptible interruptible;
+    ProgressBar bar("models");
+    return build_index(build, Interruptible::token(), [&bar](IndexBuildProgress p) { bar.show(p.done, p.total); });
 }
 
 void run_build(const IndexOptions& options, CommandState& state) {
@@ -77,20 +112,11 @@ void run_build(const IndexOptions& options, CommandState& state) {
         if (!list) return fail(state, list.error());
         build.classes = list->files;
     }
-    interruption() = std::stop_source();
-    const auto before = std::signal(SIGINT, on_interrupt);
-    const Stopwatch watch;
-    std::function<void(IndexBuildProgress)> progress;
-    if (isatty(STDERR_FILENO) != 0) progress = [&watch](IndexBuildProgress p) { show_progress(watch, p); };
-    const core::Result<IndexBuildReport> report = build_index(build, interruption().get_token(), progress);
-    std::signal(SIGINT, before);
+    const core::Result<IndexBuildReport> report = build_with_progress(build);
     if (!report) return fail(state, report.error());
     print_build_report(*report, options.json);
-    if (report->interrupted) {
-        std::fprintf(stderr, "croquis: interrupted; call it again to go on from here\n");
-        state.exit_code = 1;
-    }
-    if (report->added + report->skipped == 0) state.exit_code = 1;
+    if (report->interrupted) std::fprintf(stderr, "croquis: interrupted; call it again to go on from here\n");
+    if (report->interrupted || !report->failed.empty()) state.exit_code = 1;
 }
 
 core::Result<db::TwoViewIndex> open_index(const IndexOptions& options, db::OpenMode mode) {
@@ -112,7 +138,7 @@ void run_list(const IndexOptions& options, CommandState& state) {
                         e.source_path.c_str(), e.stale ? "\tstale" : "");
         }
     }
-    if (options.json) std::printf("%s\n", ordered_json{{"models", out}}.dump().c_str());
+    if (options.json) print_json(ordered_json{{"models", out}});
     if (const auto stale = index->stale(); stale && *stale) std::fprintf(stderr, "croquis: %s\n", (*stale)->c_str());
 }
 
@@ -155,7 +181,7 @@ void run_show(const IndexOptions& options, CommandState& state) {
                            {"path", model->source_path},
                            {"triangles", model->display_mesh.triangles.size()},
                            {"views", views}};
-    std::printf("%s\n", out.dump(options.json ? -1 : 2).c_str());
+    print_json(out, options.json ? -1 : 2);
 }
 
 void run_remove(const IndexOptions& options, CommandState& state) {
@@ -163,7 +189,7 @@ void run_remove(const IndexOptions& options, CommandState& state) {
     if (!index) return fail(state, index.error());
     const auto removed = index->remove(options.id);
     if (!removed) return fail(state, removed.error());
-    if (options.json) std::printf("%s\n", ordered_json{{"removed", options.id}}.dump().c_str());
+    if (options.json) print_json(ordered_json{{"removed", options.id}});
 }
 
 void run_check(const IndexOptions& options, CommandState& state) {
@@ -178,7 +204,7 @@ void run_check(const IndexOptions& options, CommandState& state) {
         std::fprintf(stderr, "croquis: %s: %s\n", options.database.c_str(), d.sentence().c_str());
     }
     if (options.json) {
-        std::printf("%s\n", ordered_json{{"models", info ? info->models : 0}, {"damaged", list}}.dump().c_str());
+        print_json(ordered_json{{"models", info ? info->models : 0}, {"damaged", list}});
     } else if (damaged->empty()) {
         std::printf("%lld models, all whole\n", static_cast<long long>(info ? info->models : 0));
     }
@@ -191,7 +217,7 @@ void run_vacuum(const IndexOptions& options, CommandState& state) {
     const auto done = index->vacuum();
     if (!done) return fail(state, done.error());
     const auto info = index->info();
-    if (options.json) std::printf("%s\n", ordered_json{{"bytes", info ? info->bytes : 0}}.dump().c_str());
+    if (options.json) print_json(ordered_json{{"bytes", info ? info->bytes : 0}});
 }
 
 }  // namespace

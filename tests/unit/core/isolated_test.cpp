@@ -1,6 +1,7 @@
 #include "core/exchange/isolated.hpp"
 
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -36,4 +37,11 @@ TEST_CASE("isolated work that crashes, throws or never ends gives an error", "[i
         },
         limits);
     CHECK_THAT(endless.error().message, Catch::Contains("time"));
+}
+
+TEST_CASE("isolated work that is ended by hand says nothing about its input", "[isolated]") {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const auto ended = run_isolated([signal] { return std::raise(signal), std::string(); }, {});
+        CHECK(ended.error().code == ErrorCode::Cancelled);
+    }
 }
