@@ -4,6 +4,7 @@
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <unistd.h>
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <exception>
 #include <fstream>
+#include <limits>
 #include <new>
 #include <string_view>
 #include <utility>
@@ -18,6 +20,7 @@
 #include "core/exchange/isolated.hpp"
 #include "core/exchange/mesh_file_check.hpp"
 #include "core/exchange/off_reader.hpp"
+#include "core/exchange/zip_check.hpp"
 #include "core/mesh/mesh_welder.hpp"
 
 namespace core {
@@ -211,10 +214,17 @@ Result<TriangleMesh> unpacked(std::string_view bytes) {
     return mesh;
 }
 
+std::size_t half_of_the_memory() {
+    const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGE_SIZE);
+    if (pages <= 0 || bytes <= 0) return std::numeric_limits<std::size_t>::max();
+    return static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(bytes);
+}
+
 /// assimp in a process of its own: some damaged files send it astray for ever.
 Result<TriangleMesh> read_isolated(const std::filesystem::path& path, const std::string& extension,
                                    std::uintmax_t file_bytes) {
     IsolationLimits limits;
+    limits.memory_bytes = std::min(limits.memory_bytes, half_of_the_memory());
     limits.processor_seconds = static_cast<unsigned>(2 + (file_bytes >> 18));
     const Result<std::string> answer = run_isolated([&] { return packed(read_with_assimp(path, extension)); }, limits);
     if (!answer) return unexpected(answer.error());
@@ -242,6 +252,9 @@ Result<TriangleMesh> read_checked(const std::filesystem::path& path) {
     if (Result<void> fits = check_mesh_head(extension, *head, bytes, kMostMeshTriangles); !fits) {
         return unexpected(fits.error());
     }
+    if (head->starts_with("PK\x03\x04")) {
+        if (Result<void> zip = check_zip(path, kLargestMeshFileBytes); !zip) return unexpected(zip.error());
+    }
     if (extension != "off") return read_isolated(path, extension, bytes);
     Result<std::string> text = read_plain_file(path, kLargestMeshFileBytes);
     if (!text) return unexpected(text.error());
@@ -251,8 +264,11 @@ Result<TriangleMesh> read_checked(const std::filesystem::path& path) {
 }  // namespace
 
 const std::vector<std::string>& mesh_extensions() {
-    static const std::vector<std::string> extensions{"3ds",  "3mf", "ac",  "ase",  "b3d", "dae", "dxf", "fbx", "glb",
-                                                     "gltf", "lwo", "md2", "ms3d", "obj", "off", "ply", "stl", "x"};
+    // Of what assimp knows: no motions, no scenes that name models, and no endings that other programs use more.
+    static const std::vector<std::string> extensions{
+        "3ds",  "3mf", "ac",  "ac3d",    "amf", "ase", "b3d", "blend", "cob",     "dae",  "dxf", "fbx", "glb",
+        "gltf", "ifc", "iqm", "irrmesh", "lwo", "lxo", "md2", "md3",   "md5mesh", "ms3d", "nff", "obj", "off",
+        "ogex", "ply", "pmx", "q3o",     "q3s", "sib", "smd", "stl",   "x",       "x3d",  "xgl", "zae", "zgl"};
     return extensions;
 }
 

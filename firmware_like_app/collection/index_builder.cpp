@@ -134,7 +134,7 @@ class Builder {
         record.source_path = path;
         record.content_hash = content->hash;
         record.file_size = content->size;
-        const core::Result<void> described = describe_model(std::move(*mesh), options_.parameters, record);
+        const core::Result<void> described = describe_model(std::move(*mesh), options_.parameters, record, stop_);
         if (!described) return failed(std::move(outcome), described.error());
         outcome.kind = Outcome::Kind::Described;
         return outcome;

@@ -48,12 +48,16 @@ std::optional<core::Polygon> outline_in_plane(const core::TriangleMesh& mesh, in
 
 }  // namespace
 
-core::Result<void> describe_model(core::TriangleMesh mesh, const ViewParameters& parameters, db::ModelRecord& record) {
+core::Result<void> describe_model(core::TriangleMesh mesh, const ViewParameters& parameters, db::ModelRecord& record,
+                                  const std::stop_token& stop) {
     const core::Result<core::TriangleMesh> normal = core::normalised_mesh(std::move(mesh));
     if (!normal) return core::unexpected(normal.error());
     std::map<int, db::ModelView> described;
     std::vector<core::ViewCandidate> candidates;
     for (const int camera : core::representative_cameras()) {
+        if (stop.stop_requested()) {
+            return core::unexpected(core::ErrorCode::Cancelled, "describing the model was interrupted; try again");
+        }
         std::optional<core::Polygon> outline = outline_in_plane(*normal, camera, parameters.silhouette_px);
         if (!outline) continue;
         core::Result<core::ShapeDescriptor> descriptor = core::describe(*outline, parameters.shape);

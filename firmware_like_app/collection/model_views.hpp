@@ -1,6 +1,8 @@
 #pragma once
 // A model's two views: fifty cameras, silhouettes, descriptors, and the choice among them (thesis 7.1).
 
+#include <stop_token>
+
 #include "core/base/result.hpp"
 #include "core/mesh/triangle_mesh.hpp"
 #include "core/parts/describe.hpp"
@@ -21,8 +23,9 @@ struct ViewParameters {
 [[nodiscard]] std::string parameters_text(const ViewParameters& parameters);
 
 /// Fills in views (thumbnails too) and display mesh of the record; the other fields are the caller's. BadMesh or
-/// EmptyMesh when the model shows no silhouette from anywhere.
+/// EmptyMesh when the model shows no silhouette from anywhere; Cancelled when a stop is requested, which is looked at
+/// before each camera.
 [[nodiscard]] core::Result<void> describe_model(core::TriangleMesh mesh, const ViewParameters& parameters,
-                                                db::ModelRecord& record);
+                                                db::ModelRecord& record, const std::stop_token& stop = {});
 
 }  // namespace app
