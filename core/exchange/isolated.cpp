@@ -3,13 +3,16 @@
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <exception>
+#include <fstream>
 #include <new>
 
 namespace core {
@@ -30,6 +33,23 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
     setrlimit(what, &bounds);
 }
 
+/// Ends this process after so much processor time. The timer is fine, the limit cannot be switched off by a reader.
+void limit_processor_time(double seconds) {
+    itimerval timer{};
+    timer.it_value.tv_sec = static_cast<time_t>(seconds);
+    timer.it_value.tv_usec = static_cast<suseconds_t>((seconds - std::floor(seconds)) * 1e6);
+    setitimer(ITIMER_PROF, &timer, nullptr);
+    limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(seconds)) + 1);
+}
+
+/// Writable memory that this process has; 0 where the system does not tell.
+std::size_t writable_bytes() {
+    std::ifstream statm("/proc/self/statm");
+    std::size_t pages = 0;
+    for (int field = 0; field < 6; ++field) statm >> pages;  // the sixth is data and stack
+    return statm ? pages * static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE)) : 0;
+}
+
 bool write_all(int pipe_end, const std::string& bytes) {
     for (std::size_t at = 0; at < bytes.size();) {
         const ssize_t written = write(pipe_end, bytes.data() + at, bytes.size() - at);
@@ -43,15 +63,15 @@ bool write_all(int pipe_end, const std::string& bytes) {
 [[noreturn]] void run_in_child(const std::function<std::string()>& work, const IsolationLimits& limits, int pipe_end,
                                pid_t parent) {
     // A crash should end quietly, whatever handlers the program has set.
-    for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) std::signal(crash, SIG_DFL);
+    for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGPROF}) std::signal(crash, SIG_DFL);
     // Ctrl-C reaches both processes, and this one has nothing to save. Nor should it live on when the other is killed.
     for (const int end : {SIGINT, SIGTERM, SIGHUP}) std::signal(end, SIG_DFL);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(kFailed);
     limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, limits.processor_seconds);
+    limit_processor_time(limits.processor_seconds);
     // A sanitizer's shadow memory is terabytes of address space, which such a limit would forbid.
-    if constexpr (!kSanitized) limit(RLIMIT_DATA, limits.memory_bytes);
+    if constexpr (!kSanitized) limit(RLIMIT_DATA, writable_bytes() + limits.memory_bytes);
     int status = kFailed;
     try {
         const std::string answer = work();
@@ -105,7 +125,8 @@ Result<std::string> run_isolated(const std::function<std::string()>& work, const
     const bool ended_by_hand = WIFSIGNALED(status) && (WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM ||
                                                        WTERMSIG(status) == SIGHUP);
     if (ended_by_hand) return unexpected(ErrorCode::Cancelled, "reading the model was interrupted; try again");
-    if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)) {
+    if (WIFSIGNALED(status) &&
+        (WTERMSIG(status) == SIGPROF || WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)) {
         return unexpected(ErrorCode::BadFormat, "the model cannot be read in reasonable time; export it again");
     }
     return unexpected(ErrorCode::BadFormat, "the model cannot be read, it is damaged; export it again");

@@ -11,8 +11,8 @@
 namespace core {
 
 struct IsolationLimits {
-    unsigned processor_seconds = 10;             ///< whole seconds of processor time
-    std::size_t memory_bytes = 4ULL << 30;       ///< writable memory, what the caller already holds included
+    double processor_seconds = 10.0;             ///< of processor time
+    std::size_t memory_bytes = 4ULL << 30;       ///< writable memory beyond what the caller holds
     std::size_t most_answer_bytes = 2ULL << 30;  ///< of the work's answer
 };
 

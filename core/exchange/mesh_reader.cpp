@@ -214,18 +214,24 @@ Result<TriangleMesh> unpacked(std::string_view bytes) {
     return mesh;
 }
 
-std::size_t half_of_the_memory() {
-    const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGE_SIZE);
-    if (pages <= 0 || bytes <= 0) return std::numeric_limits<std::size_t>::max();
-    return static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(bytes);
+/// What assimp may take: much more than any sound file of that size needs, packed ones included, but no more than 4 GB
+/// or half of the machine's memory.
+std::size_t most_memory(std::uintmax_t file_bytes) {
+    constexpr std::uintmax_t kAtLeast = 256ULL << 20, kPerByte = 64, kAtMost = 4ULL << 30;
+    const long pages = sysconf(_SC_PHYS_PAGES), page_bytes = sysconf(_SC_PAGE_SIZE);
+    std::uintmax_t most = std::min(kAtMost, kAtLeast + kPerByte * file_bytes);
+    if (pages > 0 && page_bytes > 0) {
+        most = std::min(most, static_cast<std::uintmax_t>(pages) / 2 * static_cast<std::uintmax_t>(page_bytes));
+    }
+    return static_cast<std::size_t>(most);
 }
 
 /// assimp in a process of its own: some damaged files send it astray for ever.
 Result<TriangleMesh> read_isolated(const std::filesystem::path& path, const std::string& extension,
                                    std::uintmax_t file_bytes) {
     IsolationLimits limits;
-    limits.memory_bytes = std::min(limits.memory_bytes, half_of_the_memory());
-    limits.processor_seconds = static_cast<unsigned>(2 + (file_bytes >> 18));
+    limits.memory_bytes = most_memory(file_bytes);
+    limits.processor_seconds = 0.5 + static_cast<double>(file_bytes) / (1 << 18);
     const Result<std::string> answer = run_isolated([&] { return packed(read_with_assimp(path, extension)); }, limits);
     if (!answer) return unexpected(answer.error());
     return unpacked(*answer);

@@ -33,7 +33,8 @@ inline constexpr std::size_t kMostMeshTriangles = 20'000'000;
 /// large), UnknownFormat (extension, or an archive under another name), BadFormat (damaged, cut short, empty),
 /// BadMesh (corner number out of range, more triangles than kMostMeshTriangles), EmptyMesh (no faces).
 /// Files that the model names (materials, buffers) are read only where they are ordinary files within the size limit.
-/// Time and memory are linear in the file, and the other process may have 4 GB or half of the machine's memory. Both
+/// Time and memory are linear in the file, and the other process may have 256 MB and 64 times
+/// the file's size, 4 GB and half of the machine's memory at most. Both
 /// together took for 5,000,000 triangles: STL (250 MB) 830 MB, PLY (95 MB) and OFF (187 MB) 450 MB, OBJ (192 MB) 1.2
 /// GB.
 [[nodiscard]] Result<TriangleMesh> read_mesh(const std::filesystem::path& path);

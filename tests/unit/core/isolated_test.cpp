@@ -27,7 +27,7 @@ TEST_CASE("isolated work that crashes, throws or never ends gives an error", "[i
     const auto no_memory = run_isolated([]() -> std::string { throw std::bad_alloc(); }, {});
     CHECK(no_memory.error().code == ErrorCode::BadMesh);
     core::IsolationLimits limits;
-    limits.processor_seconds = 1;
+    limits.processor_seconds = 0.1;
     volatile bool forever = true;
     const auto endless = run_isolated(
         [&forever] {
