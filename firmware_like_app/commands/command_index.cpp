@@ -55,6 +55,7 @@ class Interruptible {
         sigemptyset(&action.sa_mask);
         sigaction(SIGINT, &action, &before_int_);
         sigaction(SIGTERM, &action, &before_term_);
+        std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like a full disk, not the end
     }
     ~Interruptible() {
         sigaction(SIGINT, &before_int_, nullptr);
