@@ -34,8 +34,8 @@ std::string model_name(const std::string& file_stem, const std::string& class_na
 
 namespace {
 
-constexpr std::size_t kBatchModels = 32;
-constexpr double kBatchMs = 2000.0;
+constexpr std::size_t kBatchModels = 16;
+constexpr double kBatchMs = 500.0;
 constexpr std::size_t kWindow = 96;
 constexpr std::uint64_t kBytesAtOnce = 64ULL << 20;
 

@@ -37,7 +37,7 @@ struct IndexBuildProgress {
 /// Adds in the order of paths, so that ids do not depend on the number of jobs, nor on whether a build was interrupted,
 /// or killed, and called again. A bad file or folder is reported and passed over; a model keeps its class where
 /// `classes` names none. Models in the index that were described with other parameters are described again, wherever
-/// their files are. What is added is durable after some dozens of models or a few seconds; `stop` is looked at before
+/// their files are. What is added is durable after 16 models or half a second; `stop` is looked at before
 /// each file, and what was described until then is kept. Files of together more than 64 MB are not read at the same
 /// time. FileMissing when there is nothing to read at all; the index's own errors (NotAnIndex, NewerVersion,
 /// WriteFailed …), with what was added before still in it.

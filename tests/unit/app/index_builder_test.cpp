@@ -9,6 +9,7 @@
 
 #include "db/migrations/migrations.hpp"
 #include "tests/support/block_models.hpp"
+#include "tests/support/index_rows.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using app::IndexBuildOptions;
@@ -54,24 +55,6 @@ db::TwoViewIndex open(const TemporaryFolder& folder, const std::string& paramete
     return std::move(*index);
 }
 
-/// Every row of every table that holds models, ids and checksums included.
-std::string rows_of(const std::string& path) {
-    const auto database = db::open_collection(path, db::OpenMode::ReadOnly);
-    REQUIRE(database);
-    std::string text;
-    for (const char* sql :
-         {"SELECT id || name || class_name || content_hash || file_size || build_id || checksum FROM model ORDER BY id",
-          "SELECT model_id || ' ' || number || ' ' || camera_number || ' ' || skeletal_length || ' ' || asymmetry || "
-          "hex(camera) || hex(outline) || hex(descriptor) FROM view ORDER BY model_id, number",
-          "SELECT model_id || ' ' || hex(mesh) FROM display_mesh ORDER BY model_id",
-          "SELECT model_id || ' ' || number || hex(png) FROM thumbnail ORDER BY model_id, number"}) {
-        auto rows = database->prepare(sql);
-        REQUIRE(rows);
-        for (auto row = rows->step(); row && *row; row = rows->step()) text += rows->text(0) + "\n";
-    }
-    return text;
-}
-
 std::string bytes_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -107,7 +90,7 @@ TEST_CASE("the index does not depend on the number of jobs", "[builder]") {
     wanted.jobs = 4;
     wanted.database = folder.path("b.db");
     CHECK(build(wanted).failed.size() == 1);
-    CHECK((rows_of(folder.path("a.db")) == rows_of(folder.path("b.db"))));
+    CHECK((support::index_rows(folder.path("a.db")) == support::index_rows(folder.path("b.db"))));
 }
 
 TEST_CASE("bad files are named, each in one sentence, and the rest goes on", "[builder]") {
@@ -163,7 +146,7 @@ TEST_CASE("stopped after any file, a build goes on to the same index", "[builder
     write_models(whole, 3);
     whole.write("models/m11b.off", "OFF\n");
     build(options(whole));
-    const std::string expected = rows_of(whole.path("a.db"));
+    const std::string expected = support::index_rows(whole.path("a.db"));
     for (std::size_t stop_after = 1; stop_after <= 4; ++stop_after) {
         fs::remove(whole.path("a.db"));
         std::stop_source stop;
@@ -177,7 +160,7 @@ TEST_CASE("stopped after any file, a build goes on to the same index", "[builder
         CHECK(first->interrupted == (first->added + first->failed.size() < 4));
         CHECK(open(whole).check()->empty());
         build(options(whole));
-        CHECK((rows_of(whole.path("a.db")) == expected));
+        CHECK((support::index_rows(whole.path("a.db")) == expected));
     }
 }
 
