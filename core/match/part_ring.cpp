@@ -122,6 +122,7 @@ class RingBuilder {
     RingBuilder(const ShapeDescriptor& shape, const ShapeParameters& p)
         : shape_(shape), parameters_(p), arcs_(shape.samples) {
         for (const Part& part : shape.parts) directions_.push_back(direction_of(shape, part));
+        outline_ = outline_profile(shape.samples);
     }
 
     [[nodiscard]] PartRing ring(bool backwards) const {
@@ -130,6 +131,7 @@ class RingBuilder {
         for (std::size_t i = 0; i < shape_.parts.size(); ++i) ring.parts.push_back(ring_part(i, backwards));
         fill_norms(ring);
         ring.groups = grouped(ring.parts);
+        ring.outline = backwards ? mirrored(outline_) : outline_;
         ring.stop_points = stop_points(shape_.parts, shape_.terminal_count, backwards);
         if (backwards) {
             for (int& t : ring.stop_points) t = shape_.terminal_count - 1 - t;
@@ -150,12 +152,21 @@ class RingBuilder {
         out.count = part.terminal_count;
         const int n = shape_.terminal_count;
         out.first = backwards ? (2 * n - part.first_terminal - part.terminal_count) % n : part.first_terminal;
+        out.from = place(backwards ? part.end_sample : part.start_sample, backwards);
+        out.to = place(backwards ? part.start_sample : part.end_sample, backwards);
         const auto w = weights(parameters_);
         for (std::size_t k = 0; k < kFeatureCount; ++k) out.weighted[k] = static_cast<float>(w[k] * part.features[k]);
         out.signature = part.signature;
         if (backwards) std::reverse(out.signature.begin(), out.signature.end());
         out.norm = norm_of(out);
         return out;
+    }
+
+    /// Places wrap round: a full turn is none.
+    [[nodiscard]] OutlinePlace place(int sample, bool backwards) const {
+        const double share = sample == 0 ? 0.0 : arcs_.length(0, sample) / arcs_.perimeter();
+        const auto forwards = static_cast<OutlinePlace>(std::lround(share * 65536.0));
+        return backwards ? static_cast<OutlinePlace>(-forwards) : forwards;
     }
 
     /// Going clockwise, a part ends where its arc starts, and the gap to the next lies on the other side.
@@ -176,6 +187,7 @@ class RingBuilder {
     const ShapeParameters& parameters_;
     ArcMeasures arcs_;
     std::vector<Point> directions_;
+    OutlineProfile outline_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/match/lanes.hpp"
+#include "core/match/outline_profile.hpp"
 #include "core/parts/descriptor.hpp"
 #include "core/skeleton/shape_parameters.hpp"
 
@@ -23,6 +24,7 @@ struct RingPart {
     int part = 0;   ///< index into ShapeDescriptor::parts
     int first = 0;  ///< first terminal, counted in the ring's direction
     int count = 1;
+    OutlinePlace from = 0, to = 0;  ///< of its arc, in the ring's direction
     std::array<float, kFeatureCount> weighted{};
     std::array<float, kSignatureSize> signature{};
     float norm = 0.0F;  ///< eq. 5.3
@@ -36,17 +38,17 @@ struct OpenedRing {
         int part = 0;    ///< index into PartRing::parts
         int before = 0;  ///< as many members end before this one starts, and they are the first in `members`
     };
-    /// Inter-distances from four members to a later one; d_e is infinite from members that do not end before it.
+    /// Inter-distances from a group of members to a later one; d_e is infinite from members that do not end before it.
     struct Step {
         Lanes d_e{}, d_be{}, d_a{};
         int to = 0;  ///< index into `members`
     };
     std::vector<Member> members;  ///< by the position at which they end, ascending
-    std::vector<Step> steps;      ///< by the four members they lead from, then by the one they lead to
-    std::vector<int> steps_from;  ///< steps of group g of four members: steps_from[g] … steps_from[g + 1]
+    std::vector<Step> steps;      ///< by the group of members they lead from, then by the one they lead to
+    std::vector<int> steps_from;  ///< steps of group g: steps_from[g] … steps_from[g + 1]
 };
 
-/// Four parts, one a lane.
+/// A group of parts, one a lane.
 struct PartGroup {
     std::array<LaneGroup, kFeatureCount> weighted{};
     std::array<LaneGroup, kSignatureSize> signature{};
@@ -56,11 +58,12 @@ struct PartGroup {
 struct PartRing {
     int terminal_count = 0;
     std::vector<RingPart> parts;       ///< as in the descriptor: terminals first
-    std::vector<PartGroup> groups;     ///< the same parts, four by four; nought where there are no more
+    std::vector<PartGroup> groups;     ///< the same parts, group by group; nought where there are no more
     std::vector<float> terminal_norm;  ///< by terminal in the ring's direction
     float norms = 0.0F;                ///< their sum, in steps of 2^-11
     std::vector<int> stop_points;      ///< in the ring's direction
     std::vector<OpenedRing> opened;    ///< one per stop point
+    OutlineProfile outline;            ///< read in the ring's direction
     std::vector<InterDistance> inter;  ///< parts x parts, row: from
     [[nodiscard]] const InterDistance& between(std::size_t from, std::size_t to) const {
         return inter[from * parts.size() + to];

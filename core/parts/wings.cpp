@@ -68,7 +68,12 @@ std::vector<Part> parts_of(const Skeleton& skeleton, const PartTree& tree, const
             wing.first_terminal = first_terminal_from(wing.start_sample);
             wing.terminal_count = grouped[node];
             if (wing.salient) salient[node] = std::max(salient[node], 1);
-            if (salient[node] <= p.wing_salient_limit) parts.push_back(wing);
+            const auto repeats = [&](const Part& other) {
+                return other.first_terminal == wing.first_terminal && other.terminal_count == wing.terminal_count &&
+                       std::abs(other.features[1] - wing.features[1]) < p.wing_step;
+            };
+            if (salient[node] <= p.wing_salient_limit && std::none_of(parts.begin(), parts.end(), repeats))
+                parts.push_back(wing);
         }
         const auto parent = static_cast<std::size_t>(tree.parent[node]);
         salient[parent] += salient[node];

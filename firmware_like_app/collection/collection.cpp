@@ -18,17 +18,13 @@ core::Result<Collection> Collection::load(const std::string& database, const cor
         CollectionModel& model = collection.models_[i];
         model.record = std::move(loaded->models[i]);
         for (std::size_t v = 0; v < 2; ++v) {
-            const db::ModelView& view = model.record.views[v];
-            core::ShapeReadings readings{view.descriptor};
-            readings.insert(readings.end(), view.further.begin(), view.further.end());
-            readings.resize(core::kReadingCount, view.descriptor);
-            model.views[v] = core::matchable_readings(readings, parameters);
+            model.views[v] = core::matchable(model.record.views[v].descriptor, parameters);
         }
     });
     return collection;
 }
 
-std::vector<RankedModel> Collection::distances(const core::MatchableReadings& query, int jobs,
+std::vector<RankedModel> Collection::distances(const core::MatchableShape& query, int jobs,
                                                std::stop_token stop) const {
     std::vector<RankedModel> all(models_.size());
     std::vector<core::Matcher> matchers(static_cast<std::size_t>(std::max(1, jobs)));
@@ -36,15 +32,15 @@ std::vector<RankedModel> Collection::distances(const core::MatchableReadings& qu
         all[i].model = i;
         if (stop.stop_requested()) return;
         core::Matcher& matcher = matchers[static_cast<std::size_t>(worker)];
-        const double first = core::distance(matcher, query, models_[i].views[0]);
-        const double second = core::distance(matcher, query, models_[i].views[1], first);
+        const double first = matcher.distance(query, models_[i].views[0]);
+        const double second = matcher.distance(query, models_[i].views[1], first);
         all[i].view = second < first ? 1 : 0;
         all[i].distance = std::min(first, second);
     });
     return all;
 }
 
-std::vector<RankedModel> Collection::rank(const core::MatchableReadings& query, int jobs, std::stop_token stop) const {
+std::vector<RankedModel> Collection::rank(const core::MatchableShape& query, int jobs, std::stop_token stop) const {
     std::vector<RankedModel> ranked = distances(query, jobs, stop);
     std::stable_sort(ranked.begin(), ranked.end(),
                      [](const RankedModel& a, const RankedModel& b) { return a.distance < b.distance; });

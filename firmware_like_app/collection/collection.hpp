@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "core/match/reading_match.hpp"
+#include "core/match/match.hpp"
 #include "db/stores/two_view_index.hpp"
 
 namespace app {
 
 struct CollectionModel {
     db::ModelRecord record;  ///< without display mesh
-    std::array<core::MatchableReadings, 2> views;
+    std::array<core::MatchableShape, 2> views;
 };
 
 struct RankedModel {
@@ -33,10 +33,10 @@ class Collection {
 
     /// All models, nearest first, ties by id: drawing and mirror image against both views. The ranks do not depend on
     /// `jobs`. A requested stop gives an unfinished answer soon.
-    [[nodiscard]] std::vector<RankedModel> rank(const core::MatchableReadings& query, int jobs,
+    [[nodiscard]] std::vector<RankedModel> rank(const core::MatchableShape& query, int jobs,
                                                 std::stop_token stop = {}) const;
     /// The same ranking as distances in the order of models().
-    [[nodiscard]] std::vector<RankedModel> distances(const core::MatchableReadings& query, int jobs,
+    [[nodiscard]] std::vector<RankedModel> distances(const core::MatchableShape& query, int jobs,
                                                      std::stop_token stop = {}) const;
 
   private:

@@ -9,7 +9,6 @@
 #include "core/mesh/compact.hpp"
 #include "core/mesh/normalise.hpp"
 #include "core/mesh/simplify.hpp"
-#include "core/parts/readings.hpp"
 #include "core/silhouette/contour.hpp"
 #include "core/views/cameras.hpp"
 #include "core/views/silhouette_render.hpp"
@@ -18,19 +17,20 @@
 namespace app {
 
 std::string parameters_text(const ViewParameters& v) {
-    constexpr int kDescriberVersion = 2;  // raise when the same parameters lead to another descriptor
+    constexpr int kDescriberVersion = 3;  // raise when the same parameters lead to another descriptor
     const core::ShapeParameters& p = v.shape;
     char text[512];
-    std::snprintf(
-        text, sizeof text,
-        "describer %d; readings %zu; px %d; longest %d; display %zu; thumbnail %dx%d; contour %d %g; window %d; extent "
-        "%g; samples %d; scale %g; "
-        "insignificant %g %g %g %g; large %g; long %g %g %g %g; bent %d %g %g; unit %g; block %d; depth %g %g; wing %d",
-        kDescriberVersion, core::kReadingCount, v.silhouette_px, v.longest, v.display_triangles, v.thumbnail.width_px,
-        v.thumbnail.height_px, p.contour_points, p.contour_sigma, p.window, p.extent, p.sample_size, p.scale_coef,
-        p.small_area, p.thresh_small_clr, p.thresh_any_clr, p.sharp_turn_deg, p.large_t, p.small_long_t, p.small_et,
-        p.large_long_t, p.large_et, p.n_pockets, p.size_bent_t, p.convexity_t, p.signature_unit, p.junction_block_limit,
-        p.depth_threshold_first, p.depth_threshold_step, p.wing_salient_limit);
+    std::snprintf(text, sizeof text,
+                  "describer %d; px %d; longest %d; display %zu; thumbnail %dx%d; contour %d %g; window %d; extent "
+                  "%g; samples %d; scale %g; "
+                  "insignificant %g %g %g %g; large %g; long %g %g %g %g; bent %d %g %g; unit %g; block %d; depth %g "
+                  "%g; wing %d %g",
+                  kDescriberVersion, v.silhouette_px, v.longest, v.display_triangles, v.thumbnail.width_px,
+                  v.thumbnail.height_px, p.contour_points, p.contour_sigma, p.window, p.extent, p.sample_size,
+                  p.scale_coef, p.small_area, p.thresh_small_clr, p.thresh_any_clr, p.sharp_turn_deg, p.large_t,
+                  p.small_long_t, p.small_et, p.large_long_t, p.large_et, p.n_pockets, p.size_bent_t, p.convexity_t,
+                  p.signature_unit, p.junction_block_limit, p.depth_threshold_first, p.depth_threshold_step,
+                  p.wing_salient_limit, p.wing_step);
     return text;
 }
 
@@ -81,7 +81,6 @@ core::Result<void> describe_model(core::TriangleMesh mesh, const ViewParameters&
     if (!chosen) return core::unexpected(chosen.error());
     record.views = {described.at(chosen->first), described.at(chosen->second)};
     for (db::ModelView& view : record.views) {
-        view.further = core::further_readings(view.outline, view.descriptor, parameters.shape);
         view.outline = view.descriptor.samples;
     }
     core::Result<core::TriangleMesh> display = core::simplified_mesh(*normal, parameters.display_triangles);

@@ -19,8 +19,6 @@ core::Result<SketchDescription> describe_silhouette(const core::BinaryImage& ima
     core::Result<core::DescribedShape> shape = core::describe_in_steps(*contour, parameters);
     if (!shape) return core::unexpected(shape.error());
     out.shape = std::move(*shape);
-    out.readings = core::further_readings(*contour, out.shape.descriptor, parameters);
-    out.readings.insert(out.readings.begin(), out.shape.descriptor);
     out.describe_ms = describe_watch.ms();
     return out;
 }

@@ -3,15 +3,14 @@
 
 #include "core/base/result.hpp"
 #include "core/exchange/sketch_reader.hpp"
-#include "core/parts/readings.hpp"
+#include "core/parts/describe.hpp"
 #include "core/silhouette/closing.hpp"
 
 namespace app {
 
 struct SketchDescription {
-    core::DescribedShape shape;    ///< the first reading, with its steps
-    core::ShapeReadings readings;  ///< all of them, the first included
-    core::DrawingRaster raster;    ///< the descriptor's points, y turned down again, are raster pixels of this
+    core::DescribedShape shape;  ///< the descriptor with its steps
+    core::DrawingRaster raster;  ///< the descriptor's points, y turned down again, are raster pixels of this
     double silhouette_ms = 0.0;
     double describe_ms = 0.0;
 

@@ -33,7 +33,7 @@ struct EvalOptions {
 /// The described files of a list, in its order.
 struct DescribedList {
     std::vector<std::string> classes;
-    std::vector<core::MatchableReadings> shapes;
+    std::vector<core::MatchableShape> shapes;
     std::vector<std::string> failures;
 };
 
@@ -56,12 +56,12 @@ core::Result<core::LabelledList> read_list(const EvalOptions& options) {
 }
 
 DescribedList describe_list(const std::vector<core::LabelledFile>& files, int jobs) {
-    std::vector<std::optional<core::MatchableReadings>> shapes(files.size());
+    std::vector<std::optional<core::MatchableShape>> shapes(files.size());
     std::vector<std::string> why(files.size());
     core::parallel_for(files.size(), jobs, [&](std::size_t i, int) {
         const core::Result<SketchDescription> d = describe_file(files[i].path);
         if (d) {
-            shapes[i] = core::matchable_readings(d->readings);
+            shapes[i] = core::matchable(d->shape.descriptor);
         } else {
             why[i] = d.error().sentence();
         }
@@ -115,7 +115,7 @@ void run_shapes(const EvalOptions& options, CommandState& state) {
     core::parallel_for(n, options.jobs, [&](std::size_t i, int worker) {
         for (std::size_t j = 0; j < n; ++j) {
             distances[order[i] * n + order[j]] = static_cast<float>(
-                core::distance(matchers[static_cast<std::size_t>(worker)], described.shapes[i], described.shapes[j]));
+                matchers[static_cast<std::size_t>(worker)].distance(described.shapes[i], described.shapes[j]));
         }
     });
     const double match_ms = watch.ms();

@@ -32,16 +32,16 @@ struct Answer {
     double search_ms = 0.0;
 };
 
-Answer search(const core::ShapeReadings& query, const Collection& collection, const QueryOptions& options) {
+Answer search(const core::ShapeDescriptor& query, const Collection& collection, const QueryOptions& options) {
     const Stopwatch watch;
-    const core::MatchableReadings shape = core::matchable_readings(query);
+    const core::MatchableShape shape = core::matchable(query);
     Answer answer;
     answer.ranked = collection.rank(shape, options.jobs);
     answer.ranked.resize(std::min(answer.ranked.size(), static_cast<std::size_t>(options.top)));
     core::Matcher matcher;
     for (const RankedModel& r : answer.ranked) {
         answer.matches.push_back(
-            matcher.match(shape.front(), collection.models()[r.model].views[static_cast<std::size_t>(r.view)].front()));
+            matcher.match(shape, collection.models()[r.model].views[static_cast<std::size_t>(r.view)]));
     }
     answer.search_ms = watch.ms();
     return answer;
@@ -94,7 +94,7 @@ void run_query(const QueryOptions& options, CommandState& state) {
     }
     const core::Result<SketchDescription> query = describe_file(options.sketch);
     if (!query) return fail(state, query.error());
-    const Answer answer = search(query->readings, *collection, options);
+    const Answer answer = search(query->shape.descriptor, *collection, options);
     if (!options.picture.empty()) {
         const auto written = draw(answer, *collection, query->shape.descriptor, options.picture);
         if (!written) return fail(state, written.error());

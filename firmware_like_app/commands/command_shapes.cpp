@@ -6,7 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "core/match/reading_match.hpp"
+#include "core/match/match.hpp"
 #include "firmware_like_app/collection/sketch_description.hpp"
 #include "firmware_like_app/commands/commands.hpp"
 #include "ui/draw/shape_picture.hpp"
@@ -87,13 +87,12 @@ struct MatchOptions {
     bool json = false;
 };
 
-void print_match(const core::ReadingMatch& both, bool as_json) {
-    const core::Match& match = both.first;
+void print_match(const core::Match& match, bool as_json) {
     if (as_json) {
-        ordered_json out{{"distance", both.distance},           {"first_reading", match.distance},
-                         {"reversed", match.reversed},          {"pairs", ordered_json::array()},
-                         {"left_out_a", match.left_out_a},      {"left_out_b", match.left_out_b},
-                         {"left_out_cost", match.left_out_cost}};
+        ordered_json out{{"distance", match.distance},     {"part_cost", match.part_cost},
+                         {"outline", match.outline},       {"reversed", match.reversed},
+                         {"pairs", ordered_json::array()}, {"left_out_a", match.left_out_a},
+                         {"left_out_b", match.left_out_b}, {"left_out_cost", match.left_out_cost}};
         for (const core::MatchedPair& p : match.pairs) {
             out["pairs"].push_back({{"a", p.part_a},
                                     {"b", p.part_b},
@@ -107,8 +106,8 @@ void print_match(const core::ReadingMatch& both, bool as_json) {
         std::printf("%s\n", out.dump().c_str());
         return;
     }
-    std::printf("distance %.3f; of the first reading %.3f%s\n", both.distance, match.distance,
-                match.reversed ? " (mirrored)" : "");
+    std::printf("distance %.3f; parts cost %.3f, outlines differ by %.3f%s\n", match.distance, match.part_cost,
+                match.outline, match.reversed ? " (mirrored)" : "");
     for (const core::MatchedPair& p : match.pairs) {
         std::printf(
             "  part %2d and part %2d: %8.3f = features %.3f + signature %.3f + place %.3f + bending %.3f + angle "
@@ -127,15 +126,13 @@ void run_match(const MatchOptions& options, CommandState& state) {
     const core::ShapeDescriptor& da = a->shape.descriptor;
     const core::ShapeDescriptor& db = b->shape.descriptor;
     core::Matcher matcher;
-    const core::ReadingMatch both =
-        core::match(matcher, core::matchable_readings(a->readings), core::matchable_readings(b->readings));
-    const core::Match& match = both.first;
+    const core::Match match = matcher.match(core::matchable(da), core::matchable(db));
     if (!options.picture.empty()) {
         const auto written =
             ui::write_match_picture({{&da, &db, &match, file_name(options.a), file_name(options.b)}}, options.picture);
         if (!written) return fail(state, written.error());
     }
-    print_match(both, options.json);
+    print_match(match, options.json);
 }
 
 }  // namespace

@@ -78,7 +78,6 @@ db::ModelRecord variant(const db::ModelRecord& model, std::size_t number) {
     const Warp warp(number);
     for (db::ModelView& view : out.views) {
         view.descriptor = warped(view.descriptor, warp);
-        for (core::ShapeDescriptor& reading : view.further) reading = warped(reading, warp);
         view.outline = view.descriptor.samples;
     }
     return out;
@@ -140,14 +139,14 @@ void build(const std::vector<db::ModelRecord>& base, std::size_t total, const st
     row.bytes = static_cast<double>(value(index.info()).bytes) / static_cast<double>(total);
 }
 
-void search(const std::string& database, const std::vector<core::MatchableReadings>& queries, int jobs, Row& row) {
+void search(const std::string& database, const std::vector<core::MatchableShape>& queries, int jobs, Row& row) {
     const double before = resident_bytes();
     const app::Stopwatch watch;
     const app::Collection collection = value(app::Collection::load(database));
     row.load_ms = watch.ms();
     row.memory = (resident_bytes() - before) / static_cast<double>(row.models);
     std::vector<double> times, cpu_times;
-    for (const core::MatchableReadings& query : queries) {
+    for (const core::MatchableShape& query : queries) {
         const app::Stopwatch one;
         const double cpu_before = cpu_ms();
         if (collection.rank(query, jobs).size() != row.models)
@@ -307,13 +306,11 @@ int main(int argc, char** argv) {
     std::filesystem::create_directories(folder);
     const std::vector<db::ModelRecord> base = base_models(argv[1], static_cast<std::size_t>(number(3, 200)));
     if (base.empty()) give_up({core::ErrorCode::BadArgument, "there is no model in it; name another index", argv[1]});
-    std::vector<core::MatchableReadings> queries;
+    std::vector<core::MatchableShape> queries;
     for (int q = 0; q < number(4, 5); ++q) {
         const db::ModelRecord drawn =
             variant(base[static_cast<std::size_t>(q) * 7 % base.size()], 1000000u + static_cast<unsigned>(q));
-        core::ShapeReadings readings{drawn.views[0].descriptor};
-        readings.insert(readings.end(), drawn.views[0].further.begin(), drawn.views[0].further.end());
-        queries.push_back(core::matchable_readings(readings));
+        queries.push_back(core::matchable(drawn.views[0].descriptor));
     }
     std::vector<Row> rows;
     for (const int factor : kFactors) {

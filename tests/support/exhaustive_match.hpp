@@ -1,27 +1,42 @@
 #pragma once
-// The distance of two shapes by trying every match, straight from the definition in core/match/match.hpp. Exponential:
-// for rings of a few terminals.
+// The distance of two shapes by trying every match, straight from the definitions in core/match/decision_matrix.hpp and
+// match.hpp. Exponential: for rings of a few terminals.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
-#include "core/match/part_ring.hpp"
+#include "core/match/match.hpp"
 
 namespace support {
 
 class ExhaustiveMatch {
   public:
-    /// The least cost over all matches, all pairs of stop points and both directions of b.
-    static double distance(const core::MatchableShape& a, const core::MatchableShape& b) {
-        return std::min(least(a.forwards, b.forwards), least(a.forwards, b.backwards));
+    struct Least {
+        double part_cost = std::numeric_limits<double>::infinity();  ///< over all configurations
+        double distance = std::numeric_limits<double>::infinity();   ///< with the outlines, if ties fall well …
+        double at_most = std::numeric_limits<double>::infinity();    ///< … and if they fall badly
+    };
+    /// Over all matches, all pairs of stop points and both directions of b.
+    static Least least(const core::MatchableShape& a, const core::MatchableShape& b) {
+        if (!core::in_order(a.forwards, b.forwards)) return least(b, a);
+        const Least there = least(a.forwards, b.forwards), back = least(a.forwards, b.backwards);
+        return {std::min(there.part_cost, back.part_cost), std::min(there.distance, back.distance),
+                std::min(there.at_most, back.at_most)};
     }
-    static double least(const core::PartRing& a, const core::PartRing& b) {
-        double best = std::numeric_limits<double>::infinity();
+    static Least least(const core::PartRing& a, const core::PartRing& b) {
+        Least best;
+        const double norms = sum_of_norms(a) + sum_of_norms(b);
         for (const int start_a : a.stop_points) {
             for (const int start_b : b.stop_points) {
                 ExhaustiveMatch m{a, b, start_a, start_b};
-                m.extend(-1, -1, 0, 0, 0.0, sum_of_norms(a) + sum_of_norms(b));
-                best = std::min(best, m.best_);
+                m.extend(0, 0, 0.0, norms);
+                best.part_cost = std::min(best.part_cost, m.best_);
+                const auto [least, most] = m.outline_differences();
+                best.distance = std::min(best.distance, m.best_ / std::sqrt(norms) + core::kOutlineWeight * least);
+                best.at_most = std::min(best.at_most, m.best_ / std::sqrt(norms) + core::kOutlineWeight * most);
             }
         }
         return best;
@@ -37,6 +52,8 @@ class ExhaustiveMatch {
     }
 
   private:
+    using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
     ExhaustiveMatch(const core::PartRing& a, const core::PartRing& b, int start_a, int start_b)
         : a_(a), b_(b), start_a_(start_a), start_b_(start_b) {}
 
@@ -58,9 +75,36 @@ class ExhaustiveMatch {
         return sum;
     }
 
-    /// All matches that go on from a last pair (-1: none), whose parts ended before these positions.
-    void extend(int last_x, int last_y, int from_a, int from_b, double pairs, double left_out) {
-        best_ = std::min(best_, pairs + left_out);
+    /// The least and the greatest along matches of the least cost.
+    std::pair<double, double> outline_differences() const {
+        std::pair<double, double> range{std::numeric_limits<double>::infinity(), 0.0};
+        for (const auto& [cost, pairs] : good_) {
+            if (cost > best_ + kTie) continue;
+            const double difference = outline_difference(pairs);
+            range = {std::min(range.first, difference), std::max(range.second, difference)};
+        }
+        return range;
+    }
+
+    /// From the first place on the outline of a.
+    double outline_difference(Pairs pairs) const {
+        const auto first = std::min_element(pairs.begin(), pairs.end(), [&](const auto& p, const auto& q) {
+            return a_.parts[p.first].from < a_.parts[q.first].from;
+        });
+        std::rotate(pairs.begin(), first, pairs.end());
+        std::vector<core::OutlineAnchor> anchors;
+        for (const auto& [x, y] : pairs) {
+            anchors.push_back({a_.parts[x].from, b_.parts[y].from});
+            anchors.push_back({a_.parts[x].to, b_.parts[y].to});
+        }
+        return core::outline_difference(a_.outline, b_.outline, anchors);
+    }
+
+    /// All matches that go on from the pairs so far, whose parts ended before these positions.
+    void extend(int from_a, int from_b, double pairs, double left_out) {
+        const double whole = pairs + left_out;
+        if (whole <= best_ + kTie) good_.emplace_back(whole, pairs_);
+        best_ = std::min(best_, whole);
         for (std::size_t x = 0; x < a_.parts.size(); ++x) {
             const int at_a = position(a_, a_.parts[x], start_a_), end_a = at_a + a_.parts[x].count;
             if (at_a < from_a || end_a > a_.terminal_count) continue;
@@ -68,12 +112,12 @@ class ExhaustiveMatch {
                 const int at_b = position(b_, b_.parts[y], start_b_), end_b = at_b + b_.parts[y].count;
                 if (at_b < from_b || end_b > b_.terminal_count) continue;
                 double cost = node_cost(a_.parts[x], b_.parts[y]);
-                if (last_x >= 0) {
-                    cost += step_cost(a_.between(static_cast<std::size_t>(last_x), x),
-                                      b_.between(static_cast<std::size_t>(last_y), y));
+                if (!pairs_.empty()) {
+                    cost += step_cost(a_.between(pairs_.back().first, x), b_.between(pairs_.back().second, y));
                 }
-                extend(static_cast<int>(x), static_cast<int>(y), end_a, end_b, pairs + cost,
-                       left_out - norms_of(a_, a_.parts[x]) - norms_of(b_, b_.parts[y]));
+                pairs_.emplace_back(x, y);
+                extend(end_a, end_b, pairs + cost, left_out - norms_of(a_, a_.parts[x]) - norms_of(b_, b_.parts[y]));
+                pairs_.pop_back();
             }
         }
     }
@@ -81,6 +125,9 @@ class ExhaustiveMatch {
     const core::PartRing& a_;
     const core::PartRing& b_;
     int start_a_, start_b_;
+    static constexpr double kTie = 2e-3;  // more than single precision tells apart
+    Pairs pairs_;
+    std::vector<std::pair<double, Pairs>> good_;
     double best_ = std::numeric_limits<double>::infinity();
 };
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <numeric>
 
-#include "core/parts/readings.hpp"
+#include "core/parts/describe.hpp"
 #include "core/parts/rounding.hpp"
 #include "db/codec/points_codec.hpp"
 #include "db_fixtures.hpp"
@@ -18,14 +18,12 @@ ShapeDescriptor round_trip(const ShapeDescriptor& descriptor) {
     return fixture::value(db::decode_descriptor(fixture::value(db::encode_descriptor(descriptor))));
 }
 
-/// Descriptors as a model's views have them: all readings of random outlines.
+/// Descriptors as a model's views have them: of random outlines.
 std::vector<ShapeDescriptor> described(Random& random, int shapes) {
     std::vector<ShapeDescriptor> all;
     while (shapes-- > 0) {
         const core::Polygon outline = fixture::random_outline(random, 80, fixture::real(random, 0.3, 120.0));
-        for (ShapeDescriptor& reading : fixture::value(core::describe_readings(outline))) {
-            all.push_back(std::move(reading));
-        }
+        all.push_back(fixture::value(core::describe(outline)));
     }
     return all;
 }

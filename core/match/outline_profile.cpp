@@ -1,0 +1,194 @@
+#include "core/match/outline_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/geometry/polygon.hpp"
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace core {
+
+namespace {
+
+constexpr std::size_t kBinWidth = kOutlineGrid / kHeightBins;
+constexpr std::size_t kTangentReach = 3;    // grid points to either side that the tangent is taken over
+constexpr std::uint32_t kComparisons = 64;  // places compared
+constexpr int kSlack = 3;                   // grid points
+constexpr float kComplexityFloor = 0.3F;    // keeps smooth outlines comparable: those of discs are near 0
+constexpr std::uint32_t kTurn = 1U << 16U;  // once round, in places
+constexpr int kLevel = 128;                 // a height of nought
+constexpr double kHighest = 127.0;
+
+using Heights = std::array<std::uint8_t, kHeightBins>;
+
+double bin_weight(std::size_t bin) {
+    return 1.0 / std::sqrt(static_cast<double>(std::min(bin + 1, kHeightBins - bin)));
+}
+
+/// Mean height of each stretch over the tangent at each point, in the ring's unit.
+std::vector<std::array<double, kHeightBins>> raw_heights(const Polygon& grid) {
+    // Mean of the points of the stretch that starts here, its ends left out: so a mirror image has the same stretches.
+    std::vector<Point> stretch(kOutlineGrid);
+    for (std::size_t i = 0; i < kOutlineGrid; ++i) {
+        Point sum;
+        for (std::size_t k = 1; k < kBinWidth; ++k) sum = sum + (grid[(i + k) % kOutlineGrid] - grid[0]);
+        stretch[i] = sum * (1.0 / static_cast<double>(kBinWidth - 1));
+    }
+    std::vector<std::array<double, kHeightBins>> raw(kOutlineGrid);
+    for (std::size_t i = 0; i < kOutlineGrid; ++i) {
+        const Point along =
+            grid[(i + kTangentReach) % kOutlineGrid] - grid[(i + kOutlineGrid - kTangentReach) % kOutlineGrid];
+        const double long_ = length(along);
+        const Point tangent = long_ > 0.0 ? along * (1.0 / long_) : Point{1.0, 0.0};
+        for (std::size_t bin = 0; bin < kHeightBins; ++bin) {
+            const Point there = stretch[(i + bin * kBinWidth) % kOutlineGrid];
+            raw[i][bin] = cross(tangent, there - (grid[i] - grid[0]));
+        }
+    }
+    return raw;
+}
+
+#if defined(__SSE2__)
+__m128i differences(const Heights& a, const Heights& b) {
+    return _mm_sad_epu8(_mm_loadu_si128(reinterpret_cast<const __m128i*>(a.data())),
+                        _mm_loadu_si128(reinterpret_cast<const __m128i*>(b.data())));
+}
+
+int least_sum(__m128i p, __m128i q, __m128i r) {
+    // Two half sums each; pairs of halves are laid side by side, so that one addition serves two candidates.
+    const __m128i pq = _mm_add_epi64(_mm_unpacklo_epi64(p, q), _mm_unpackhi_epi64(p, q));
+    const __m128i rr = _mm_add_epi64(_mm_unpacklo_epi64(r, r), _mm_unpackhi_epi64(r, r));
+    const __m128i least = _mm_min_epi16(pq, rr);  // sums are below 2^12
+    return std::min(_mm_cvtsi128_si32(least), _mm_extract_epi16(least, 4));
+}
+#else
+int differences(const Heights& a, const Heights& b) {
+    int sum = 0;
+    for (std::size_t bin = 0; bin < kHeightBins; ++bin) sum += std::abs(int{a[bin]} - int{b[bin]});
+    return sum;
+}
+
+int least_sum(int p, int q, int r) {
+    return std::min(p, std::min(q, r));
+}
+#endif
+
+/// The least difference at these grid points or with both moved against each other by the slack. Grid points are eight
+/// bits and wrap round by themselves.
+int slack_difference(const OutlineProfile& a, const OutlineProfile& b, std::uint8_t at_a, std::uint8_t at_b) {
+    static_assert(kOutlineGrid == 256);
+    const auto a_on = static_cast<std::uint8_t>(at_a + kSlack), a_back = static_cast<std::uint8_t>(at_a - kSlack);
+    const auto b_on = static_cast<std::uint8_t>(at_b + kSlack), b_back = static_cast<std::uint8_t>(at_b - kSlack);
+    return least_sum(differences(a.heights[at_a], b.heights[at_b]), differences(a.heights[a_on], b.heights[b_back]),
+                     differences(a.heights[a_back], b.heights[b_on]));
+}
+
+/// How far on from the first anchor, on both outlines: anchors never step back, and a full turn is not none.
+struct Progress {
+    std::uint32_t a = 0, b = 0;
+    [[nodiscard]] std::uint32_t middle() const { return a + b; }  // twice the mean
+};
+
+std::uint32_t step_on(std::uint32_t before, OutlinePlace from_start) {
+    if (from_start > before) return from_start;
+    return from_start == 0 && before > 0 ? kTurn : before;
+}
+
+/// Walks along the anchors and says which grid points answer to each other.
+class Alignment {
+  public:
+    explicit Alignment(std::span<const OutlineAnchor> anchors) : anchors_(anchors), start_(anchors.front()) {
+        advance();
+    }
+
+    struct GridPoints {
+        std::uint8_t a = 0, b = 0;
+    };
+    /// `place` grows from call to call and is below 2 kTurn.
+    GridPoints at(std::uint32_t place) {
+        while (to_.middle() <= place && next_ < anchors_.size()) advance();
+        const auto share = static_cast<std::uint32_t>((place - from_.middle()) * per_place_ >> 16U);
+        return {nearest(start_.a, from_.a + ((to_.a - from_.a) * share >> 15U)),
+                nearest(start_.b, from_.b + ((to_.b - from_.b) * share >> 15U))};
+    }
+
+  private:
+    void advance() {
+        from_ = to_;
+        ++next_;
+        to_ = next_ >= anchors_.size()
+                  ? Progress{kTurn, kTurn}
+                  : Progress{step_on(from_.a, static_cast<OutlinePlace>(anchors_[next_].a - start_.a)),
+                             step_on(from_.b, static_cast<OutlinePlace>(anchors_[next_].b - start_.b))};
+        per_place_ = (std::uint64_t{1} << 31U) / std::max(1U, to_.middle() - from_.middle());
+    }
+    static std::uint8_t nearest(OutlinePlace start, std::uint32_t progress) {
+        return static_cast<std::uint8_t>((start + progress + 128U) >> 8U);
+    }
+
+    std::span<const OutlineAnchor> anchors_;
+    OutlineAnchor start_;
+    Progress from_, to_;
+    std::size_t next_ = 0;         // the anchor at to_
+    std::uint64_t per_place_ = 0;  // 2^31 / length of the stretch
+};
+
+}  // namespace
+
+OutlineProfile outline_profile(const Polygon& ring) {
+    const auto raw = raw_heights(resample_ring(ring, static_cast<int>(kOutlineGrid)));
+    OutlineProfile profile;
+    double deviations = 0.0;
+    for (std::size_t bin = 0; bin < kHeightBins; ++bin) {
+        double highest = 0.0, sum = 0.0, squares = 0.0;
+        for (const auto& from_point : raw) highest = std::max(highest, std::abs(from_point[bin]));
+        const double unit = highest > 0.0 ? 1.0 / highest : 0.0;
+        for (std::size_t i = 0; i < kOutlineGrid; ++i) {
+            const double height = raw[i][bin] * unit;
+            sum += height;
+            squares += height * height;
+            const long level = std::lround(kHighest * bin_weight(bin) * height);
+            profile.heights[i][bin] = static_cast<std::uint8_t>(kLevel + level);
+        }
+        const double mean = sum / kOutlineGrid;
+        deviations += std::sqrt(std::max(0.0, squares / kOutlineGrid - mean * mean));
+    }
+    profile.complexity = static_cast<float>(deviations / kHeightBins);
+    return profile;
+}
+
+OutlineProfile mirrored(const OutlineProfile& profile) {
+    OutlineProfile out;
+    out.complexity = profile.complexity;
+    for (std::size_t i = 0; i < kOutlineGrid; ++i) {
+        const Heights& from = profile.heights[(kOutlineGrid - i) % kOutlineGrid];
+        std::reverse_copy(from.begin(), from.end(), out.heights[i].begin());
+    }
+    return out;
+}
+
+float outline_difference(const OutlineProfile& a, const OutlineProfile& b, std::span<const OutlineAnchor> anchors,
+                         float give_up_at) {
+    if (anchors.empty()) return kUnaligned;
+    static const float kUnit = [] {
+        double weights = 0.0;
+        for (std::size_t bin = 0; bin < kHeightBins; ++bin) weights += bin_weight(bin);
+        return static_cast<float>(1.0 / (kHighest * weights * kComparisons));
+    }();
+    const float unit = kUnit / (kComplexityFloor + (a.complexity + b.complexity));
+    const float limit = give_up_at / unit;
+    Alignment alignment(anchors);
+    int sum = 0;
+    for (std::uint32_t i = 0; i < kComparisons; ++i) {
+        const Alignment::GridPoints at = alignment.at(i * (2 * kTurn / kComparisons));
+        sum += slack_difference(a, b, at.a, at.b);
+        if (i % 8 == 7 && static_cast<float>(sum) >= limit) return give_up_at;
+    }
+    return static_cast<float>(sum) * unit;
+}
+
+}  // namespace core
