@@ -1,0 +1,188 @@
+// How stable shapes are under what does not change them: of every shape of a list, copies are made (moved, with ink and
+// page exchanged, traced from another point, mirrored, turned in 12 steps, half, twice and four times as large), and
+// each copy queries all originals.
+//
+//     stability_report LIST [EVERY]      LIST: path<TAB>class; only every EVERY-th shape is copied
+//
+// Prints for each copy how often the descriptor is identical and how often the original is the nearest of all.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "core/exchange/image_reader.hpp"
+#include "core/exchange/list_file.hpp"
+#include "core/match/match.hpp"
+#include "core/parts/describe.hpp"
+#include "core/silhouette/contour.hpp"
+
+namespace {
+
+core::GrayImage mask_of(const core::GrayImage& image) {
+    const core::BinaryImage object = core::object_mask(image);
+    core::GrayImage mask(object.width, object.height);
+    for (std::size_t i = 0; i < object.pixels.size(); ++i) mask.pixels[i] = object.pixels[i] != 0 ? 255 : 0;
+    return mask;
+}
+
+double bilinear(const core::GrayImage& image, double x, double y) {
+    const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
+    const auto at = [&](int cx, int cy) {
+        return cx < 0 || cy < 0 || cx >= image.width || cy >= image.height ? 0.0 : double(image.at(cx, cy));
+    };
+    const double u = x - left, v = y - top;
+    return (at(left, top) * (1 - u) + at(left + 1, top) * u) * (1 - v) +
+           (at(left, top + 1) * (1 - u) + at(left + 1, top + 1) * u) * v;
+}
+
+/// Turned about the middle and scaled, on a page that holds it, four samples a pixel.
+core::GrayImage turned(const core::GrayImage& image, double degrees, double scale, bool mirrored) {
+    const double angle = degrees * 3.14159265358979323846 / 180.0, c = std::cos(angle), s = std::sin(angle);
+    const int side = static_cast<int>(std::ceil(std::hypot(image.width, image.height) * scale)) + 8;
+    core::GrayImage out(side, side);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            double sum = 0.0;
+            for (const double dx : {-0.25, 0.25}) {
+                for (const double dy : {-0.25, 0.25}) {
+                    const double px = (x + dx - 0.5 * (side - 1)) / scale, py = (y + dy - 0.5 * (side - 1)) / scale;
+                    const double turned_x = c * px + s * py, turned_y = -s * px + c * py;
+                    sum += bilinear(image, (mirrored ? -turned_x : turned_x) + 0.5 * (image.width - 1),
+                                    turned_y + 0.5 * (image.height - 1));
+                }
+            }
+            out.pixels[out.index(x, y)] = sum >= 4 * 127.5 ? 255 : 0;
+        }
+    }
+    return out;
+}
+
+core::GrayImage moved(const core::GrayImage& image, int dx, int dy) {
+    core::GrayImage out(image.width + 40, image.height + 40);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) out.pixels[out.index(x + dx, y + dy)] = image.at(x, y);
+    }
+    return out;
+}
+
+core::GrayImage inverted(core::GrayImage image) {
+    for (auto& p : image.pixels) p = static_cast<std::uint8_t>(255 - p);
+    return image;
+}
+
+core::Result<core::Polygon> outline_of(const core::GrayImage& image) {
+    return core::largest_contour(core::object_mask(image));
+}
+
+struct Copies {
+    std::string name;
+    int made = 0, identical = 0, nearest = 0;
+};
+
+/// Whether the parts are the same and the samples differ by a whole shift alone.
+bool identical(const core::ShapeDescriptor& a, const core::ShapeDescriptor& b) {
+    if (a.parts != b.parts || a.stop_points != b.stop_points || a.samples.size() != b.samples.size()) return false;
+    const core::Point shift = b.samples.front() - a.samples.front();
+    for (std::size_t i = 0; i < a.samples.size(); ++i) {
+        if (core::distance(a.samples[i] + shift, b.samples[i]) > 1e-9) return false;
+    }
+    return true;
+}
+
+class Report {
+  public:
+    explicit Report(std::vector<core::Polygon> outlines) {
+        for (core::Polygon& outline : outlines) {
+            const auto described = core::describe(outline);
+            descriptors_.push_back(described ? *described : core::ShapeDescriptor{});
+            shapes_.push_back(core::matchable(descriptors_.back()));
+        }
+    }
+
+    void try_copy(const std::string& name, std::size_t original, const core::Polygon& outline) {
+        Copies& copies = of(name);
+        ++copies.made;
+        const auto described = core::describe(outline);
+        if (!described) return;
+        copies.identical += identical(descriptors_[original], *described) ? 1 : 0;
+        const core::MatchableShape shape = core::matchable(*described);
+        const double own = matcher_.distance(shape, shapes_[original]);
+        for (std::size_t i = 0; i < shapes_.size(); ++i) {
+            if (i != original && matcher_.distance(shape, shapes_[i], own) < own) return;
+        }
+        ++copies.nearest;
+    }
+
+    void print() const {
+        int made = 0, nearest = 0;
+        for (const Copies& c : all_) {
+            std::printf("%-14s %5d copies  identical %6.2f %%  nearest %6.2f %%\n", c.name.c_str(), c.made,
+                        100.0 * c.identical / c.made, 100.0 * c.nearest / c.made);
+            made += c.made;
+            nearest += c.nearest;
+        }
+        std::printf("all: nearest %.2f %%\n", 100.0 * nearest / made);
+    }
+
+  private:
+    Copies& of(const std::string& name) {
+        for (Copies& c : all_) {
+            if (c.name == name) return c;
+        }
+        all_.push_back({name});
+        return all_.back();
+    }
+    std::vector<core::ShapeDescriptor> descriptors_;
+    std::vector<core::MatchableShape> shapes_;
+    std::vector<Copies> all_;
+    core::Matcher matcher_;
+};
+
+void try_copies(Report& report, std::size_t i, const core::GrayImage& mask) {
+    const auto with = [&](const std::string& name, const core::GrayImage& image) {
+        const auto outline = outline_of(image);
+        if (outline) report.try_copy(name, i, *outline);
+    };
+    with("moved", moved(mask, 17, 5));
+    with("inverted", inverted(moved(mask, 20, 20)));
+    core::Polygon later = *outline_of(mask);
+    std::rotate(later.begin(), later.begin() + static_cast<std::ptrdiff_t>(later.size() / 3), later.end());
+    report.try_copy("other start", i, later);
+    with("mirrored", turned(mask, 0, 1, true));
+    for (int k = 1; k < 12; ++k) with("turned " + std::to_string(30 * k), turned(mask, 30.0 * k, 1, false));
+    for (const double scale : {0.5, 2.0, 4.0}) {
+        with("scaled " + std::to_string(scale).substr(0, 3), turned(mask, 0, scale, false));
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fprintf(stderr, "usage: stability_report LIST [EVERY]\n");
+        return 2;
+    }
+    const auto list = core::read_list_file(argv[1], std::nullopt);
+    if (!list) {
+        std::fprintf(stderr, "%s\n", list.error().sentence().c_str());
+        return 1;
+    }
+    const std::size_t every = argc > 2 ? static_cast<std::size_t>(std::max(1, std::atoi(argv[2]))) : 1;
+    std::vector<core::GrayImage> masks;
+    std::vector<core::Polygon> outlines;
+    for (const auto& file : list->files) {
+        const auto image = core::read_gray_image(file.path);
+        if (!image) continue;
+        // A page around it, so that the polarity is never in doubt.
+        masks.push_back(moved(mask_of(*image), 20, 20));
+        const auto outline = outline_of(masks.back());
+        outlines.push_back(outline ? *outline : core::Polygon{});
+    }
+    Report report(outlines);
+    for (std::size_t i = 0; i < masks.size(); i += every) try_copies(report, i, masks[i]);
+    report.print();
+    return 0;
+}
