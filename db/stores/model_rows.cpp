@@ -233,26 +233,36 @@ core::Result<ModelReader> ModelReader::prepare(const Database& database) {
     return ModelReader(std::move(*statements));
 }
 
-std::optional<ModelRecord> ModelReader::read(std::int64_t id, std::vector<Damage>& damaged) {
+namespace {
+
+/// The plain columns of the present row, and whether they have their checksum.
+std::pair<ModelRecord, bool> record_of(std::int64_t id, const Statement& row) {
     ModelRecord model;
     model.id = id;
+    model.source_path = row.text(0);
+    model.name = row.text(1);
+    model.class_name = row.text(2);
+    model.content_hash = static_cast<std::uint64_t>(row.integer(3));
+    model.file_size = static_cast<std::uint64_t>(row.integer(4));
+    const bool sound = checksum_of_record(model) == static_cast<std::uint64_t>(row.integer(6));
+    return {std::move(model), sound};
+}
+
+}  // namespace
+
+std::optional<ModelRecord> ModelReader::read(std::int64_t id, std::vector<Damage>& damaged) {
     const core::Result<bool> row = model_.bind(id).step();
     if (!row) {
         damaged.push_back({id, {}, "record", row.error().message});
         return std::nullopt;
     }
     if (!*row) return std::nullopt;
-    model.source_path = model_.text(0);
-    model.name = model_.text(1);
-    model.class_name = model_.text(2);
-    model.content_hash = static_cast<std::uint64_t>(model_.integer(3));
-    model.file_size = static_cast<std::uint64_t>(model_.integer(4));
+    auto [model, sound] = record_of(id, model_);
     build_id_ = model_.integer(5);
-    const auto checksum = static_cast<std::uint64_t>(model_.integer(6));
     model_.reset();
-    if (checksum != checksum_of_record(model)) damaged.push_back({id, model.name, "record", kNotAsWritten});
+    if (!sound) damaged.push_back({id, model.name, "record", kNotAsWritten});
     for (int number = 0; number < 2; ++number) read_view(number, model, damaged);
-    return model;
+    return std::move(model);
 }
 
 void ModelReader::read_view(int number, ModelRecord& model, std::vector<Damage>& damaged) {
@@ -344,6 +354,59 @@ std::vector<std::byte> ModelReader::read_thumbnail(std::int64_t id, int number, 
     std::vector<std::byte> bytes(png.begin(), png.end());
     thumbnail_.reset();
     return bytes;
+}
+
+namespace {
+
+/// The blob in `column` against the checksum in the one after it.
+bool is_blob_whole(const Statement& row, int column) {
+    return checksum_of(row.blob(column)) == static_cast<std::uint64_t>(row.integer(column + 1));
+}
+
+/// Whether every row that a bound statement gives passes; false as well where there are fewer than `least`.
+template <typename Test>
+bool all_rows(Statement& statement, int least, const Test& test) {
+    bool sound = true;
+    int rows = 0;
+    for (;;) {
+        const core::Result<bool> row = statement.step();
+        if (!row || !*row) {
+            sound = sound && row && rows >= least;
+            break;
+        }
+        ++rows;
+        sound = sound && test(rows);
+    }
+    statement.reset();
+    return sound;
+}
+
+}  // namespace
+
+bool ModelReader::is_whole(std::int64_t id) {
+    model_.bind(id);
+    const bool record = all_rows(model_, 1, [&](int) { return record_of(id, model_).second; });
+    mesh_.bind(id);
+    const bool mesh = all_rows(mesh_, 1, [&](int) { return is_blob_whole(mesh_, 0); });
+    return record && mesh && is_view_whole(id, 0) && is_view_whole(id, 1);
+}
+
+bool ModelReader::is_view_whole(std::int64_t id, int number) {
+    view_.bind(id).bind(number);
+    const bool view = all_rows(view_, 1, [&](int) {
+        ModelView v;
+        v.camera_number = static_cast<int>(view_.integer(0));
+        v.skeletal_length = view_.real(1);
+        v.asymmetry = view_.real(2);
+        return view_.integer(0) >= 0 && checksum_of_view(v) == static_cast<std::uint64_t>(view_.integer(3)) &&
+               is_blob_whole(view_, 4) && is_blob_whole(view_, 6) && is_blob_whole(view_, 8);
+    });
+    reading_.bind(id).bind(number);
+    const bool readings =
+        all_rows(reading_, 0, [&](int row) { return reading_.integer(0) == row && is_blob_whole(reading_, 1); });
+    thumbnail_.bind(id).bind(number);
+    const bool thumbnail = all_rows(thumbnail_, 0, [&](int) { return is_blob_whole(thumbnail_, 0); });
+    return view && readings && thumbnail;
 }
 
 }  // namespace db

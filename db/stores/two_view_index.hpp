@@ -136,6 +136,9 @@ class TwoViewIndex {
 
     /// Looks at every page, reference, checksum and blob; empty when all is well. Goes on after each find.
     [[nodiscard]] core::Result<std::vector<Damage>> check() const;
+    /// The models of which a row is missing or has not the checksum it was written with, in the order of ids: those
+    /// that must be described again. Faster than check, and sees less.
+    [[nodiscard]] core::Result<std::vector<std::int64_t>> damaged_models() const;
     /// Gives the space of removed models back to the disk. Needs as much free space as the index has.
     [[nodiscard]] core::Result<void> vacuum();
     [[nodiscard]] core::Result<IndexInfo> info() const;

@@ -75,6 +75,22 @@ std::string Damage::sentence() const {
     return "model " + std::to_string(model_id) + label + ", " + part + ": " + message;
 }
 
+core::Result<std::vector<std::int64_t>> TwoViewIndex::damaged_models() const {
+    core::Result<Transaction> moment = Transaction::begin(database_, Transaction::Kind::Read);
+    if (!moment) return core::unexpected(moment.error());
+    core::Result<Statement> ids = database_.prepare("SELECT id FROM model ORDER BY id");
+    if (!ids) return core::unexpected(ids.error());
+    core::Result<ModelReader> reader = ModelReader::prepare(database_);
+    if (!reader) return core::unexpected(reader.error());
+    std::vector<std::int64_t> damaged;
+    for (;;) {
+        const core::Result<bool> row = ids->step();
+        if (!row) return core::unexpected(row.error());
+        if (!*row) return damaged;
+        if (const std::int64_t id = ids->integer(0); !reader->is_whole(id)) damaged.push_back(id);
+    }
+}
+
 core::Result<std::vector<Damage>> TwoViewIndex::check() const {
     core::Result<Transaction> moment = Transaction::begin(database_, Transaction::Kind::Read);
     if (!moment) return core::unexpected(moment.error());

@@ -39,6 +39,12 @@ constexpr double kBatchMs = 500.0;
 constexpr std::size_t kWindow = 96;
 constexpr std::uint64_t kBytesAtOnce = 64ULL << 20;
 
+constexpr const char* kGoneStale =
+    "described with other settings and kept as it is, for the file is gone; bring it back and build again, or remove "
+    "the model";
+constexpr const char* kGoneDamaged =
+    "damaged in the index, and the file is gone; bring it back and build again, or remove the model";
+
 /// What became of one file.
 struct Outcome {
     enum class Kind { Unchanged, Described, Failed, Interrupted };
@@ -46,6 +52,16 @@ struct Outcome {
     db::ModelRecord record;
     std::string class_name;
     std::string why;
+};
+
+/// What the index has of one file.
+struct Known {
+    db::ModelEntry entry;
+    bool damaged = false;
+
+    [[nodiscard]] bool is_current(const FileContent& content) const {
+        return !damaged && !entry.stale && entry.content_hash == content.hash && entry.file_size == content.size;
+    }
 };
 
 class Builder {
@@ -74,41 +90,42 @@ class Builder {
     }
 
   private:
-    /// Notes what the index has. Stale models are worked on too, or kept where their files are gone.
+    /// Notes what the index has. Stale and damaged models are worked on too, or kept where their files are gone.
     core::Result<void> look_up_known(std::vector<std::string>& files) {
         core::Result<std::vector<db::ModelEntry>> entries = index_.list();
         if (!entries) return core::unexpected(entries.error());
+        const core::Result<std::vector<std::int64_t>> damaged = index_.damaged_models();
+        if (!damaged) return core::unexpected(damaged.error());
         const std::size_t asked_for = files.size();
         const auto is_asked_for = [&](const std::string& path) {
             return std::binary_search(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(asked_for), path);
         };
         for (db::ModelEntry& entry : *entries) {
-            if (entry.stale && !is_asked_for(entry.source_path)) {
-                std::error_code missing;
+            const bool is_damaged = std::binary_search(damaged->begin(), damaged->end(), entry.id);
+            std::error_code missing;
+            if ((entry.stale || is_damaged) && !is_asked_for(entry.source_path)) {
                 if (fs::exists(entry.source_path, missing)) {
                     files.push_back(entry.source_path);
                 } else {
-                    report_.kept.push_back({entry.source_path,
-                                            "described with other settings and kept as it is, for the file is gone; "
-                                            "bring it back and build again, or remove the model"});
+                    report_.kept.push_back({entry.source_path, is_damaged ? kGoneDamaged : kGoneStale});
                 }
             }
             std::string path = entry.source_path;
-            known_.emplace(std::move(path), std::move(entry));
+            known_.emplace(std::move(path), Known{std::move(entry), is_damaged});
         }
         std::sort(files.begin(), files.end());
         return {};
     }
 
-    [[nodiscard]] const db::ModelEntry* known(const std::string& path) const {
+    [[nodiscard]] const Known* known(const std::string& path) const {
         const auto it = known_.find(path);
         return it == known_.end() ? nullptr : &it->second;
     }
 
     [[nodiscard]] std::string class_of(const std::string& path) const {
         if (const auto it = class_of_.find(path); it != class_of_.end()) return it->second;
-        const db::ModelEntry* entry = known(path);
-        return entry != nullptr ? entry->class_name : std::string();
+        const Known* model = known(path);
+        return model != nullptr ? model->entry.class_name : std::string();
     }
 
     /// On a worker's thread: everything but storing.
@@ -118,9 +135,7 @@ class Builder {
         if (stop_.stop_requested()) return outcome;
         const core::Result<FileContent> content = content_of(path);
         if (!content) return failed(std::move(outcome), content.error());
-        const db::ModelEntry* entry = known(path);
-        if (entry != nullptr && !entry->stale && entry->content_hash == content->hash &&
-            entry->file_size == content->size) {
+        if (const Known* model = known(path); model != nullptr && model->is_current(*content)) {
             outcome.kind = Outcome::Kind::Unchanged;
             return outcome;
         }
@@ -157,7 +172,7 @@ class Builder {
                 return false;
             case Outcome::Kind::Unchanged:
                 ++report_.skipped;
-                relabel_if_needed(*known(path), outcome.class_name);
+                relabel_if_needed(known(path)->entry, outcome.class_name);
                 return true;
             case Outcome::Kind::Failed:
                 report_.failed.push_back({path, std::move(outcome.why)});
@@ -209,7 +224,7 @@ class Builder {
     db::TwoViewIndex& index_;
     std::stop_token stop_;
     std::map<std::string, std::string> class_of_;
-    std::unordered_map<std::string, db::ModelEntry> known_;
+    std::unordered_map<std::string, Known> known_;
     MemoryGate gate_{kBytesAtOnce};
     std::vector<db::ModelRecord> batch_;
     Stopwatch since_stored_;

@@ -24,7 +24,7 @@ struct IndexBuildReport {
     int added = 0;    ///< new, changed, or stale and described again
     int skipped = 0;  ///< unchanged
     std::vector<PassedOver> failed;
-    std::vector<PassedOver> kept;  ///< described with other settings, but their files are gone: left as they are
+    std::vector<PassedOver> kept;  ///< stale or damaged, but their files are gone: left as they are
     bool interrupted = false;
     double ms = 0.0;
 };

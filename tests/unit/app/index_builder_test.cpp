@@ -204,6 +204,32 @@ TEST_CASE("models described with other settings are described again, or kept and
     CHECK(build(other).added == 0);
 }
 
+TEST_CASE("damaged models are described again, wherever they are", "[builder]") {
+    const TemporaryFolder folder;
+    write_models(folder, 3);
+    build(options(folder));
+    const std::string expected = support::index_rows(folder.path("a.db"));
+    {
+        const auto database = db::open_collection(folder.path("a.db"), db::OpenMode::ReadWrite);
+        REQUIRE(database);
+        REQUIRE(
+            database->execute("UPDATE view SET descriptor = zeroblob(40) WHERE model_id = 1 AND number = 1;"
+                              "DELETE FROM display_mesh WHERE model_id = 2; DELETE FROM view WHERE model_id = 3"));
+    }
+    fs::remove(folder.path("models/m12.off"));
+    IndexBuildOptions one = options(folder);
+    one.paths = {folder.path("models/m11.off")};
+    const IndexBuildReport report = build(one);
+    CHECK(report.added == 2);
+    REQUIRE(report.kept.size() == 1);
+    CHECK(report.kept[0].file == folder.path("models/m12.off"));
+    CHECK_THAT(report.kept[0].why, Catch::Contains("damaged in the index"));
+    write_models(folder, 3);
+    CHECK(build(options(folder)).added == 1);
+    CHECK(open(folder).check()->empty());
+    CHECK((support::index_rows(folder.path("a.db")) == expected));
+}
+
 TEST_CASE("a full disk is told in one sentence, and what was stored before is whole", "[builder]") {
     const TemporaryFolder folder;
     write_models(folder, 2);

@@ -22,6 +22,7 @@ void make_index(const std::filesystem::path& path) {
     for (int n = 0; n < kModels; ++n) models.push_back(fixture::random_model(n));
     fixture::value(index.add_all(models));
     CHECK(fixture::value(index.check()).empty());
+    CHECK(fixture::value(index.damaged_models()).empty());
 }
 
 void alter(const std::filesystem::path& path, const std::string& sql) {
@@ -66,6 +67,8 @@ TEST_CASE("damage is named by model and part, and a search goes on without the m
     alter(folder / "a.db", c.sql);
     const TwoViewIndex index = fixture::value(TwoViewIndex::open(folder / "a.db", OpenMode::ReadOnly));
     CHECK(sentences(fixture::value(index.check())) == std::vector<std::string>{c.found});
+    const bool by_checksum = c.found.find("it holds something else") == std::string::npos;
+    CHECK(fixture::value(index.damaged_models()) == std::vector<std::int64_t>(by_checksum ? 1 : 0, 3));
     CHECK(fixture::value(index.load_views()).models.size() == (c.for_the_eye_only ? kModels : kModels - 1));
     CHECK(fixture::value(index.load_views()).damaged.size() == (c.for_the_eye_only ? 0 : 1));
     CHECK(fixture::sentence(index.load(3)).find(c.found) != std::string::npos);
@@ -88,6 +91,7 @@ TEST_CASE("damage in the readings of an older program's model is named", "[check
     CHECK(sentences(fixture::value(index.check())) ==
           std::vector<std::string>{"model 3 (model 2), " + c.part +
                                    ": it is damaged (its checksum differs); build the model again"});
+    CHECK(fixture::value(index.damaged_models()) == std::vector<std::int64_t>{3});
     CHECK(fixture::value(index.load_views()).models.size() == kModels - 1);
 }
 
