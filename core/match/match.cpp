@@ -29,6 +29,20 @@ bool in_order(const PartRing& a, const PartRing& b) {
                                          [&](const auto& p, const auto& q) { return inter(p) < inter(q); });
 }
 
+float configuration_distance(float parts, float outline) {
+    return kOutlineWeight * outline + parts * std::min(1.0F, outline / kNearlyEqual);
+}
+
+namespace {
+
+/// The outline difference with which these parts reach `distance`.
+float outline_within(float distance, float parts) {
+    const float beyond = (distance - parts) / kOutlineWeight;
+    return beyond >= kNearlyEqual ? beyond : distance / (kOutlineWeight + parts / kNearlyEqual);
+}
+
+}  // namespace
+
 /// The outlines along chain_, or what is not below `give_up_at`. It starts at its first place
 /// on the outline of a whatever the cut, so that the same pairs give the same value.
 float Matcher::outline_along(const PartRing& a, const PartRing& b, float give_up_at) {
@@ -46,7 +60,7 @@ float Matcher::outline_along(const PartRing& a, const PartRing& b, float give_up
         anchors_.push_back({of_a.from, of_b.from});
         anchors_.push_back({of_a.to, of_b.to});
     }
-    const float outline = outline_difference(a.outline, b.outline, anchors_, give_up_at);
+    const float outline = aligned_difference(a.outline, b.outline, anchors_, give_up_at);
     if (outline >= give_up_at) return outline;
     if (compared_count_ == compared_.size()) compared_.emplace_back();
     compared_[compared_count_].pairs = pairs_;
@@ -61,15 +75,15 @@ void Matcher::try_cuts(const PartRing& a, const PartRing& b, bool reversed) {
     for (const OpenedRing& open_b : b.opened) {
         matrix_.set_cut(a, open_b, reversed);
         for (const OpenedRing& open_a : a.opened) {
-            const float give_up_at = best_.distance * unit;
             const float cost =
-                std::max(0.0F, all + matrix_.solve(a, open_a, open_b, give_up_at - all + kRounding * all));
-            if (cost >= give_up_at) continue;
+                std::max(0.0F, all + matrix_.solve(a, open_a, open_b, std::numeric_limits<float>::infinity()));
             matrix_.trace(a, open_a, b, open_b, chain_);
-            const float spare = (best_.distance - cost / unit) / kOutlineWeight;
+            const float parts = cost / unit;
+            const float spare = outline_within(best_.distance, parts);
             const float outline = outline_along(a, b, spare);
-            const float distance = cost / unit + kOutlineWeight * outline;
-            if (outline >= spare || distance >= best_.distance) continue;
+            if (outline >= spare) continue;
+            const float distance = configuration_distance(parts, outline);
+            if (distance >= best_.distance) continue;
             best_.distance = distance;
             best_.part_cost = cost;
             best_.outline = outline;

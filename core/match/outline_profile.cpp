@@ -191,4 +191,41 @@ float outline_difference(const OutlineProfile& a, const OutlineProfile& b, std::
     return static_cast<float>(sum) * unit;
 }
 
+namespace {
+
+/// One anchor for all: b turned against a by the mean of what the anchors say.
+OutlineAnchor mean_turn(std::span<const OutlineAnchor> anchors) {
+    const auto turn_of = [](const OutlineAnchor& anchor) { return static_cast<OutlinePlace>(anchor.b - anchor.a); };
+    const OutlinePlace first = turn_of(anchors.front());
+    int sum = 0;
+    for (const OutlineAnchor& anchor : anchors) sum += static_cast<std::int16_t>(turn_of(anchor) - first);
+    const int mean = sum / static_cast<int>(anchors.size());
+    return {anchors.front().a, static_cast<OutlinePlace>(anchors.front().a + first + mean)};
+}
+
+/// The difference of two outlines turned against each other, least near `turn`.
+float turned_difference(const OutlineProfile& a, const OutlineProfile& b, OutlineAnchor turn) {
+    float least = outline_difference(a, b, {&turn, 1});
+    for (const int step : {6 << 8, 3 << 8, 1 << 8}) {
+        const OutlineAnchor centre = turn;
+        for (const int by : {-step, step}) {
+            const OutlineAnchor tried{centre.a, static_cast<OutlinePlace>(centre.b + by)};
+            const float difference = outline_difference(a, b, {&tried, 1}, least);
+            if (difference >= least) continue;
+            least = difference;
+            turn = tried;
+        }
+    }
+    return least;
+}
+
+}  // namespace
+
+float aligned_difference(const OutlineProfile& a, const OutlineProfile& b, std::span<const OutlineAnchor> anchors,
+                         float give_up_at) {
+    const float along = outline_difference(a, b, anchors, std::max(give_up_at, kNearlyEqual));
+    if (along >= kNearlyEqual) return along;
+    return std::min(along, turned_difference(a, b, mean_turn(anchors)));
+}
+
 }  // namespace core

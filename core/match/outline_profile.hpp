@@ -53,6 +53,16 @@ struct OutlineAnchor {
                                        std::span<const OutlineAnchor> anchors,
                                        float give_up_at = std::numeric_limits<float>::infinity());
 
+/// Outlines that differ less are those of the same shape, or nearly.
+inline constexpr float kNearlyEqual = 0.1F;
+
+/// outline_difference along the anchors; for outlines that are nearly equal along them also with one turned against the
+/// other as a whole, by about the mean of what the anchors say, and the less of the two: what parts of the same shape
+/// end at varies more than the shape. What is not below `give_up_at` may be any such value.
+[[nodiscard]] float aligned_difference(const OutlineProfile& a, const OutlineProfile& b,
+                                       std::span<const OutlineAnchor> anchors,
+                                       float give_up_at = std::numeric_limits<float>::infinity());
+
 /// What counts for outlines of which no parts are matched.
 inline constexpr float kUnaligned = 0.6F;
 

@@ -6,17 +6,13 @@
 //
 //     core::ShapeDescriptor shape = core::rounded(described).value_or(described);
 
-#include <cstdint>
 #include <optional>
 
 #include "core/parts/descriptor.hpp"
+#include "core/skeleton/sampling.hpp"
 #include "core/skeleton/shape_parameters.hpp"
 
 namespace core {
-
-/// Samples lie on the finest grid (point_grid.hpp) with at most so many steps a side of their box. In a silhouette of
-/// 256 pixels a sample moves by a twentieth of a pixel at most.
-inline constexpr std::int64_t kOutlineSteps = 2047;
 
 /// Whether all parts and `whole` carry, bit for bit, what measure_part gives for the samples and their arcs. False for
 /// a descriptor without area or with a part that names no sample. About 2 us a part.

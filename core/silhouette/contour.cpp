@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/geometry/point_grid.hpp"
 #include "core/geometry/polygon.hpp"
 
 namespace core {
@@ -91,6 +92,13 @@ class CrackTracer {
     std::vector<std::uint8_t> seen_;
 };
 
+/// Of equally low ones the leftmost.
+template <typename Ring>
+auto lowest_vertex(Ring& ring) {
+    return std::min_element(ring.begin(), ring.end(),
+                            [](Point a, Point b) { return a.y < b.y || (a.y == b.y && a.x < b.x); });
+}
+
 }  // namespace
 
 Result<Polygon> largest_contour(const BinaryImage& image, double least_area) {
@@ -107,17 +115,25 @@ Result<Polygon> largest_contour(const BinaryImage& image, double least_area) {
     if (best_area < least_area) {
         return unexpected(ErrorCode::TooSmall, "what is drawn is only a dot; draw one object larger");
     }
-    const auto lowest = std::min_element(best.begin(), best.end(),
-                                         [](Point a, Point b) { return a.y < b.y || (a.y == b.y && a.x < b.x); });
-    std::rotate(best.begin(), lowest, best.end());
+    std::rotate(best.begin(), lowest_vertex(best), best.end());
     return best;
 }
 
-Polygon smooth_contour(const Polygon& contour, int count, double sigma) {
-    // Relative to the first point, so that a shape moved by whole pixels comes out moved by exactly as much.
-    Polygon relative = contour;
-    for (Point& p : relative) p = p - contour.front();
-    const Polygon even = resample_ring(relative, count);
+namespace {
+
+/// From the lowest, then leftmost vertex on, and relative to it: so it matters neither where the ring starts nor where
+/// it lies.
+Polygon from_lowest_vertex(const Polygon& ring) {
+    Polygon out = ring;
+    std::rotate(out.begin(), lowest_vertex(out), out.end());
+    const Point lowest = out.front();
+    for (Point& p : out) p = p - lowest;
+    return out;
+}
+
+/// Gaussian along the ring, of `sigma` points.
+Polygon smoothed(const Polygon& ring, double sigma) {
+    const int count = static_cast<int>(ring.size());
     const int reach = std::min(static_cast<int>(std::ceil(3.0 * sigma)), count / 2);
     std::vector<double> weight(static_cast<std::size_t>(reach) + 1);
     double sum = 0.0;
@@ -125,16 +141,30 @@ Polygon smooth_contour(const Polygon& contour, int count, double sigma) {
         weight[static_cast<std::size_t>(k)] = sigma > 0.0 ? std::exp(-0.5 * k * k / (sigma * sigma)) : 1.0;
         sum += (k == 0 ? 1.0 : 2.0) * weight[static_cast<std::size_t>(k)];
     }
-    Polygon smooth(even.size());
+    Polygon smooth(ring.size());
     for (int i = 0; i < count; ++i) {
-        Point p = even[static_cast<std::size_t>(i)] * weight[0];
+        Point p = ring[static_cast<std::size_t>(i)] * weight[0];
         for (int k = 1; k <= reach; ++k) {
-            const Point a = even[static_cast<std::size_t>((i + k) % count)];
-            const Point b = even[static_cast<std::size_t>((i - k + count) % count)];
+            const Point a = ring[static_cast<std::size_t>((i + k) % count)];
+            const Point b = ring[static_cast<std::size_t>((i - k + count) % count)];
             p = p + (a + b) * weight[static_cast<std::size_t>(k)];
         }
-        smooth[static_cast<std::size_t>(i)] = p * (1.0 / sum) + contour.front();
+        smooth[static_cast<std::size_t>(i)] = p * (1.0 / sum);
     }
+    return smooth;
+}
+
+}  // namespace
+
+Polygon smooth_contour(const Polygon& contour, int count, double sigma) {
+    // Pixel edges are longer in some directions than in others: points are spaced evenly once that is smoothed away.
+    constexpr int kFiner = 3;
+    const Polygon relative = from_lowest_vertex(contour);
+    Polygon smooth = resample_ring(smoothed(resample_ring(relative, kFiner * count), kFiner * sigma), count);
+    // On a grid that also holds all pixels, so that adding the place is exact and moving by whole pixels moves exactly.
+    const int grid = finest_grid(smooth, std::int64_t{1} << 24);
+    const Point lowest = *lowest_vertex(contour);
+    for (Point& p : smooth) p = on_grid(p, grid) + lowest;
     return smooth;
 }
 

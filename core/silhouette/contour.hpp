@@ -19,8 +19,10 @@ namespace core {
 /// object at all. Linear in the number of pixels.
 [[nodiscard]] Result<Polygon> largest_contour(const BinaryImage& image, double least_area = 4.0);
 
-/// The contour in the form that the skeleton reads: `count` points evenly spaced, smoothed along the ring by a Gaussian
-/// of `sigma` points, scale and position kept. Reading notes: about 400 points and sigma 2.
+/// The contour in the form that the skeleton reads: smoothed along the ring by a Gaussian of `sigma` of its points,
+/// then `count` points evenly spaced from near the lowest, then leftmost vertex on; scale and position kept. It does
+/// not depend on where the ring starts, and moves exactly with a ring of pixel edges. About 400 points and sigma 2
+/// (reading notes). Linear in the points and count * sigma.
 [[nodiscard]] Polygon smooth_contour(const Polygon& contour, int count, double sigma);
 
 }  // namespace core

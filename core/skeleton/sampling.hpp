@@ -1,11 +1,16 @@
 #pragma once
 // The outline as a fixed number of samples that include the corners (thesis 5.1).
 
+#include <cstdint>
 #include <vector>
 
 #include "core/geometry/point.hpp"
 
 namespace core {
+
+/// Samples of an outline lie on the finest grid (point_grid.hpp) with at most so many steps a side of their box. In a
+/// silhouette of 256 pixels a sample moves by a twentieth of a pixel at most.
+inline constexpr std::int64_t kOutlineSteps = 2047;
 
 /// `count` samples of the contour in its own direction. Each stretch between two consecutive corners gets the share of
 /// samples that its length has of the perimeter, rounded down but at least one (its first corner); what is left

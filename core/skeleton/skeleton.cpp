@@ -1,5 +1,6 @@
 #include "core/skeleton/skeleton.hpp"
 
+#include "core/geometry/point_grid.hpp"
 #include "core/geometry/polygon.hpp"
 #include "core/silhouette/contour.hpp"
 #include "core/skeleton/corners.hpp"
@@ -7,6 +8,17 @@
 #include "core/skeleton/sampling.hpp"
 
 namespace core {
+
+namespace {
+
+/// Samples lie where an index stores them, so that what is described and what is read again are the same.
+Polygon on_sample_grid(Polygon samples) {
+    const int grid = finest_grid(samples, kOutlineSteps);
+    for (Point& p : samples) p = on_grid(p, grid);
+    return samples;
+}
+
+}  // namespace
 
 Result<Skeleton> skeletonise(const Polygon& contour, const ShapeParameters& p) {
     if (contour.size() < 3 || !(signed_area(contour) > 0.0)) {
@@ -16,7 +28,7 @@ Result<Skeleton> skeletonise(const Polygon& contour, const ShapeParameters& p) {
     s.contour = smooth_contour(contour, p.contour_points, p.contour_sigma);
     s.cornerity = cornerity(s.contour, p.window);
     s.corners = corners(s.cornerity, p.window, p.extent);
-    s.samples = without_crossings(sample_outline(s.contour, s.cornerity, s.corners, p.sample_size));
+    s.samples = without_crossings(on_sample_grid(sample_outline(s.contour, s.cornerity, s.corners, p.sample_size)));
     if (s.samples.size() < 3 || !(signed_area(s.samples) > 0.0)) {
         return unexpected(ErrorCode::BadOutline, "the outline encloses no area once it is sampled");
     }

@@ -35,8 +35,9 @@ class ExhaustiveMatch {
                 m.extend(0, 0, 0.0, norms);
                 best.part_cost = std::min(best.part_cost, m.best_);
                 const auto [least, most] = m.outline_differences();
-                best.distance = std::min(best.distance, m.best_ / std::sqrt(norms) + core::kOutlineWeight * least);
-                best.at_most = std::min(best.at_most, m.best_ / std::sqrt(norms) + core::kOutlineWeight * most);
+                const auto parts = static_cast<float>(m.best_ / std::sqrt(norms));
+                best.distance = std::min(best.distance, double{core::configuration_distance(parts, least)});
+                best.at_most = std::min(best.at_most, double{core::configuration_distance(parts, most)});
             }
         }
         return best;
@@ -76,18 +77,18 @@ class ExhaustiveMatch {
     }
 
     /// The least and the greatest along matches of the least cost.
-    std::pair<double, double> outline_differences() const {
-        std::pair<double, double> range{std::numeric_limits<double>::infinity(), 0.0};
+    std::pair<float, float> outline_differences() const {
+        std::pair<float, float> range{std::numeric_limits<float>::infinity(), 0.0F};
         for (const auto& [cost, pairs] : good_) {
             if (cost > best_ + kTie) continue;
-            const double difference = outline_difference(pairs);
+            const float difference = outline_difference(pairs);
             range = {std::min(range.first, difference), std::max(range.second, difference)};
         }
         return range;
     }
 
     /// From the first place on the outline of a.
-    double outline_difference(Pairs pairs) const {
+    float outline_difference(Pairs pairs) const {
         const auto first = std::min_element(pairs.begin(), pairs.end(), [&](const auto& p, const auto& q) {
             return a_.parts[p.first].from < a_.parts[q.first].from;
         });
@@ -97,7 +98,7 @@ class ExhaustiveMatch {
             anchors.push_back({a_.parts[x].from, b_.parts[y].from});
             anchors.push_back({a_.parts[x].to, b_.parts[y].to});
         }
-        return core::outline_difference(a_.outline, b_.outline, anchors);
+        return core::aligned_difference(a_.outline, b_.outline, anchors);
     }
 
     /// All matches that go on from the pairs so far, whose parts ended before these positions.

@@ -90,7 +90,8 @@ void check_match(const MatchableShape& a, const MatchableShape& b) {
     CHECK(match.part_cost > expected.part_cost - tolerance);
     CHECK(cost_of(match, a, b) == Approx(match.part_cost).margin(tolerance));
     const double norms = double{a.forwards.norms} + double{b.forwards.norms};
-    CHECK(match.part_cost / std::sqrt(norms) + core::kOutlineWeight * match.outline ==
+    const auto parts = static_cast<float>(match.part_cost / std::sqrt(norms));
+    CHECK(core::configuration_distance(parts, static_cast<float>(match.outline)) ==
           Approx(match.distance).margin(kRounding));
     double explained = match.left_out_cost;
     std::vector<int> of_a, of_b;
@@ -182,12 +183,12 @@ TEST_CASE("giving up returns the limit, and only where the distance is not below
     for (const double share : {1.001, 1.5, 10.0}) CHECK(matcher.distance(horse, hand, share * distance) == distance);
 }
 
-TEST_CASE("an exactly mirrored outline is at no distance", "[match]") {
+TEST_CASE("an exactly mirrored outline is at hardly any distance, where other shapes are at 50 and more", "[match]") {
     core::Matcher matcher;
     for (const Named& shape : shapes()) {
         DYNAMIC_SECTION(shape.name) {
             const MatchableShape a = shape_of(shape.contour), b = shape_of(support::mirrored(shape.contour));
-            CHECK(matcher.distance(a, b) < 1.5);
+            CHECK(matcher.distance(a, b) < 8.0);
         }
     }
 }
