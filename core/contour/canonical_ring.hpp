@@ -7,8 +7,8 @@
 namespace core {
 
 struct CanonicalSampling {
-    int count = 384;     ///< points, even
-    double sigma = 2.1;  ///< of the Gaussian that smooths the outline, in points
+    int count = 320;     ///< points, even
+    double sigma = 1.2;  ///< of the Gaussian that smooths the outline, in points
     double slenderness =
         0.7;  ///< what the ratio of length to width is raised to: 1 leaves it, 0 makes all shapes round
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include "core/contour/canonical_ring.hpp"
 #include "core/contour/polar_cover.hpp"
@@ -10,10 +12,10 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t kFine = 6;  // points of the canonical ring for each point that has a frame
+constexpr std::size_t kFine = 4;  // points of the canonical ring for each point that has a frame
 constexpr std::size_t kRing = kFine * kFramePoints;
 constexpr std::size_t kTangent = 3;  // the tangent joins the ring's points this far on either side
-constexpr double kNearness = 1.5;    // stretches grow with this power of their distance along the outline
+constexpr double kNearness = 2.5;    // stretches grow with this power of their distance along the outline
 
 /// Where stretch m begins, in points of the ring from the frame's own; the same seen from the other end.
 std::size_t stretch_from(std::size_t m) {
@@ -97,6 +99,24 @@ Polygon from_lowest(const Polygon& contour) {
     return ring;
 }
 
+Polygon mirror_image(const Polygon& contour) {
+    Polygon image(contour.rbegin(), contour.rend());
+    for (Point& p : image) p.x = -p.x;
+    return image;
+}
+
+/// Nothing when the ring encloses no area.
+std::optional<ContourDescriptor> describe_as_seen(const Polygon& contour) {
+    const Polygon ring = from_lowest(contour);
+    const RingMoments moments = ring_moments(ring);
+    if (!(moments.area > 0.0) || !(moments.xx + moments.yy > 0.0)) return std::nullopt;
+    if (!std::isfinite(moments.area) || !std::isfinite(moments.xx + moments.yy)) return std::nullopt;
+    ContourDescriptor descriptor;
+    fill_frames(canonical_ring(ring, moments, {.count = static_cast<int>(kRing)}), descriptor);
+    descriptor.cover = polar_cover(ring, moments);
+    return descriptor;
+}
+
 }  // namespace
 
 ContourDescriptor mirrored(const ContourDescriptor& descriptor) {
@@ -119,17 +139,15 @@ Result<ContourDescriptor> describe_contour(const Polygon& contour) {
     if (contour.size() < 3) return unexpected(ErrorCode::BadOutline, kNothing);
     const auto finite = [](Point p) { return std::isfinite(p.x) && std::isfinite(p.y); };
     if (!std::all_of(contour.begin(), contour.end(), finite)) {
-        return unexpected(ErrorCode::BadOutline, "a point of the outline is not finite");
+        return unexpected(ErrorCode::BadOutline, "a point of the outline is not finite; trace it again");
     }
-    const Polygon ring = from_lowest(contour);
-    const RingMoments moments = ring_moments(ring);
-    if (!(moments.area > 0.0) || !std::isfinite(moments.xx + moments.yy)) {
-        return unexpected(ErrorCode::BadOutline, kNothing);
-    }
-    ContourDescriptor descriptor;
-    fill_frames(canonical_ring(ring, moments, {.count = static_cast<int>(kRing)}), descriptor);
-    descriptor.cover = polar_cover(ring, moments);
-    return descriptor;
+    // Both the outline and its mirror image are described, and which of the two is kept depends on the descriptors
+    // alone: so the mirror image gets the mirrored descriptor to the last bit, whatever was rounded.
+    const std::optional<ContourDescriptor> seen = describe_as_seen(contour),
+                                           other = describe_as_seen(mirror_image(contour));
+    if (!seen || !other) return unexpected(ErrorCode::BadOutline, kNothing);
+    const auto content = [](const ContourDescriptor& d) { return std::tie(d.complexity, d.frames, d.cover); };
+    return content(*seen) < content(*other) ? *seen : mirrored(*other);
 }
 
 }  // namespace core

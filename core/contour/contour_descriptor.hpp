@@ -22,11 +22,11 @@
 
 namespace core {
 
-inline constexpr std::size_t kFramePoints = 64;
+inline constexpr std::size_t kFramePoints = 80;
 inline constexpr std::size_t kFrameStretches = 8;
 inline constexpr std::size_t kFrameChannels = 2 * kFrameStretches;  ///< heights, then distances ahead
-inline constexpr int kGreatestHeight = 42;                          ///< what 1 of a height is stored as …
-inline constexpr int kGreatestAhead = 63;                           ///< … and of a distance ahead, which weighs more
+inline constexpr int kGreatestHeight = 34;                          ///< what 1 of a height is stored as …
+inline constexpr int kGreatestAhead = 51;                           ///< … and of a distance ahead, which weighs more
 
 inline constexpr std::size_t kPolarRings = 12;
 inline constexpr std::size_t kPolarSectors = 32;

@@ -29,8 +29,13 @@ namespace core {
 /// A descriptor laid out for matching.
 struct MatchableContour {
     ContourDescriptor descriptor;
-    /// The frames again, one row a point.
-    alignas(32) std::array<std::array<std::int16_t, kFrameChannels>, kFramePoints> points{};
+    /// What each channel runs through from a quarter of a step before a point to a quarter after it: lowest and
+    /// highest. One row a channel …
+    alignas(32) std::array<std::array<std::int16_t, kFramePoints>, kFrameChannels> low{}, high{};
+    /// … and one row a point.
+    alignas(32) std::array<std::array<std::int16_t, kFrameChannels>, kFramePoints> low_at{}, high_at{};
+    /// Sums over all points of bounded functions of the frames, at their lowest and highest: see lower_bound.
+    std::array<std::int32_t, kFrameChannels> low_sums{}, high_sums{};
     std::array<std::int32_t, kPolarRings> ring_sums{};  ///< of the cover
 };
 [[nodiscard]] MatchableContour matchable(const ContourDescriptor& descriptor);
@@ -48,8 +53,7 @@ class ContourMatcher {
     static constexpr std::size_t kRow = 2 * kFramePoints + 16;
 
   private:
-    alignas(32) std::array<std::array<std::int16_t, kFrameChannels>, kFramePoints> mirrored_{};  // A's points
-    alignas(32) std::array<std::array<std::int16_t, kFramePoints>, kFrameChannels> channels_{};  // B's
+    alignas(32) std::array<std::array<std::int16_t, kFrameChannels>, kFramePoints> mirrored_low_{}, mirrored_high_{};
     alignas(32) std::array<std::array<std::int16_t, kRow>, kFramePoints> differences_{};  // A's points x B's, B's twice
 };
 
