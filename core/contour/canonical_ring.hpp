@@ -9,8 +9,8 @@ namespace core {
 struct CanonicalSampling {
     int count = 320;     ///< points, even
     double sigma = 1.2;  ///< of the Gaussian that smooths the outline, in points
-    double slenderness =
-        0.7;  ///< what the ratio of length to width is raised to: 1 leaves it, 0 makes all shapes round
+    /// What the ratio of length to width is raised to: 1 leaves it, 0 makes all shapes round.
+    double slenderness = 0.7;
 };
 
 /// Evenly spaced points of the smoothed outline, anti-clockwise, about its centroid. The first lies at the end of the

@@ -3,7 +3,7 @@
 //
 // Two views of the same outline, both of whole numbers, so that a stored descriptor is the fresh one to the last bit:
 //
-// - frames: at 64 points round the outline, where the rest of the outline lies as seen from there, in a frame along the
+// - frames: at 80 points round the outline, where the rest of the outline lies as seen from there, in a frame along the
 //   tangent. The rest is cut into 8 stretches, short ones near the point and long ones far from it; each gives how high
 //   above the tangent it lies on average (the height functions of Wang, Bai, You, Liu and Latecki, "Shape matching and
 //   classification using height functions", 2012) and how far ahead. Each number is divided by the greatest of its
@@ -42,13 +42,14 @@ struct ContourDescriptor {
     friend bool operator==(const ContourDescriptor&, const ContourDescriptor&) = default;
 };
 
-/// What describe_contour gives for the mirror image, up to rounding of its points. mirrored(mirrored(d)) == d.
+/// What describe_contour gives for the mirror image. mirrored(mirrored(d)) == d.
 [[nodiscard]] ContourDescriptor mirrored(const ContourDescriptor& descriptor);
 
 /// The ring runs anti-clockwise, y up, in any unit, as largest_contour gives it. The result does not depend on the
 /// first point, nor on where the shape lies when it was moved by whole units; turning, scaling and mirroring change it
-/// by rounding and pixel noise, up to a cyclic shift of points and sectors. BadOutline for a ring that encloses no area
-/// (or runs clockwise), or with a coordinate that is not finite. Linear in points, plus about 60 us.
+/// by rounding and pixel noise, up to a cyclic shift of points and sectors; a mirrored ring gives the mirrored
+/// descriptor exactly. BadOutline for a ring that encloses no area (or runs clockwise), or with a coordinate that is
+/// not finite. Linear in points, plus about 100 us.
 [[nodiscard]] Result<ContourDescriptor> describe_contour(const Polygon& contour);
 
 }  // namespace core

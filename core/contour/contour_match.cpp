@@ -11,11 +11,11 @@ namespace core {
 
 namespace {
 
-constexpr int kLeftOut = 134;  // a quarter of a height's range in every channel
+constexpr int kLeftOut = 134;  // a quarter of kGreatestHeight in every channel
 constexpr std::size_t kStray = 7;
-constexpr double kPlainness = 0.5;
-constexpr double kAlignmentWeight = 1.0;
-constexpr double kCoverWeight = 0.5;
+constexpr double kPlainness = 0.5;  // keeps the complexity of two discs from dividing by next to nothing
+constexpr double kAlignmentWeight = 5.13;
+constexpr double kCoverWeight = 2.565;
 
 // Sixteen short integers worked on at once; whole numbers are equal on every machine.
 using Shorts = std::int16_t __attribute__((vector_size(32)));
@@ -45,18 +45,18 @@ CROQUIS_LANES_CLONES int fill_differences(const Points& low_a, const Points& hig
         for (std::size_t k = 0; k < kFrameChannels; ++k) {
             const Shorts low = Shorts{} + low_a[i][k], high = Shorts{} + high_a[i][k];
             for (std::size_t g = 0; g < kBlocks; ++g) {
-                const Shorts above = *reinterpret_cast<const Shorts*>(&low_b[k][g * kWide]) - high;
-                const Shorts below = low - *reinterpret_cast<const Shorts*>(&high_b[k][g * kWide]);
+                const Shorts above = *reinterpret_cast<const LooseShorts*>(&low_b[k][g * kWide]) - high;
+                const Shorts below = low - *reinterpret_cast<const LooseShorts*>(&high_b[k][g * kWide]);
                 const Shorts gap = above > below ? above : below;
                 sum[g] += gap > 0 ? gap : Shorts{};
             }
         }
         for (std::size_t g = 0; g < kBlocks; ++g) {
             nearest[g] = sum[g] < nearest[g] ? sum[g] : nearest[g];
-            *reinterpret_cast<Shorts*>(&out[i][g * kWide]) = sum[g];
-            *reinterpret_cast<Shorts*>(&out[i][(kBlocks + g) * kWide]) = sum[g];
+            *reinterpret_cast<LooseShorts*>(&out[i][g * kWide]) = sum[g];
+            *reinterpret_cast<LooseShorts*>(&out[i][(kBlocks + g) * kWide]) = sum[g];
         }
-        *reinterpret_cast<Shorts*>(&out[i][2 * kBlocks * kWide]) = sum[0];
+        *reinterpret_cast<LooseShorts*>(&out[i][2 * kBlocks * kWide]) = sum[0];
     }
     int bound = 0;
     for (const Shorts& n : nearest) {
@@ -108,7 +108,8 @@ CROQUIS_LANES_CLONES int least_cover_difference(const ContourDescriptor& a, cons
             const auto& from_a = *reinterpret_cast<const LargeBytes*>(&a.cover[r][h * kWide]);
             const auto& from_b = *reinterpret_cast<const LargeBytes*>(&b.cover[r][h * kWide]);
             const Shorts wide = __builtin_convertvector(from_b, Shorts);
-            const Shorts turned = __builtin_shuffle(wide, Shorts{15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0});
+            const Shorts turned =
+                __builtin_shufflevector(wide, wide, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
             *reinterpret_cast<Shorts*>(&own[r][h * kWide]) = __builtin_convertvector(from_a, Shorts);
             for (std::size_t twice = 0; twice < 2; ++twice) {
                 *reinterpret_cast<Shorts*>(&other[0][r][(twice * kHalves + h) * kWide]) = wide;
