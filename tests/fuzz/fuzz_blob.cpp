@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "db/codec/camera_codec.hpp"
+#include "db/codec/contour_codec.hpp"
 #include "db/codec/descriptor_codec.hpp"
 #include "db/codec/mesh_codec.hpp"
 #include "db/codec/points_codec.hpp"
@@ -28,6 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try_blob(blob, db::decode_polygon, db::encode_polygon, equal);
     try_blob(blob, db::decode_descriptor, db::encode_descriptor, equal);
     try_blob(blob, db::decode_readings, db::encode_readings, equal);
+    try_blob(blob, db::decode_contour, db::encode_contour, equal);
     try_blob(blob, db::decode_camera, db::encode_camera,
              [](const core::Camera& a, const core::Camera& b) { return a.direction == b.direction && a.up == b.up; });
     try_blob(blob, db::decode_mesh, db::encode_mesh, [](const core::TriangleMesh& a, const core::TriangleMesh& b) {
