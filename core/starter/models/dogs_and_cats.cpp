@@ -106,7 +106,7 @@ void add_dogs(Models& models) {
                     .ear_length = 0.52,
                     .ear_width = 0.13,
                     .ear_place = 58,
-                    .ear_lean = 150,
+                    .ear_lean = 122,
                     .muzzle = 0.2,
                     .coat = kHoney,
                     .inner_ear = kWalnut,
@@ -117,7 +117,7 @@ void add_dogs(Models& models) {
     spaniel.chin = 0.16;
     spaniel.ear_length = 0.68;
     spaniel.ear_width = 0.16;
-    spaniel.ear_lean = 165;
+    spaniel.ear_lean = 148;
     spaniel.coat = kWhite;
     spaniel.inner_ear = kChestnut;
     add_model(models, "dog", "Spaniel's face", animal_face(spaniel));

@@ -233,19 +233,19 @@ void add_cutlery(Models& models) {
     add_model(models, "fork", "Carving fork", fork(2, 0.55, 0.12, 0.9, kSteel, kWalnut));
     add_model(models, "fork", "Picnic fork", fork(3, 0.34, 0.17, 0.75, kCoral, kCoral));
     add_model(models, "fork", "Wooden-handled fork", fork(4, 0.3, 0.18, 1.15, kSteel, kHoney));
-    const auto spoon = [&](double wide, double high, double length, Rgb metal, Rgb grip_colour) {
+    const auto spoon = [&](double wide, double high, double length, double broad, Rgb metal, Rgb grip_colour) {
         Assembly a;
-        a.add(grip(length, 0.055, grip_colour))
-            .add(tube({{{0, 0, 0}, 0.03, 0.025}, {{0, 0.2, 0}, 0.03, 0.025}}, metal));
+        a.add(grip(length, broad, grip_colour))
+            .add(tube({{{0, 0, 0}, 0.034, 0.025}, {{0, 0.2, 0}, 0.05, 0.03}}, metal));
         a.add(ball({0, 0.16 + high, 0}, {wide, high, 0.06}, metal, 16))
             .add(ball({0, 0.16 + high, 0.035}, {wide * 0.8, high * 0.82, 0.035}, darker(metal, 0.15), 14));
         return a.mesh();
     };
-    add_model(models, "spoon", "Spoon", spoon(0.17, 0.26, 1.0, kSteel, kSteel));
-    add_model(models, "spoon", "Soup spoon", spoon(0.24, 0.26, 0.85, kBrass, kBrass));
-    add_model(models, "spoon", "Wooden spoon", spoon(0.16, 0.24, 1.35, kHoney, kHoney));
-    add_model(models, "spoon", "Ladle", spoon(0.3, 0.28, 1.25, kSlate, kRed));
-    add_model(models, "spoon", "Baby spoon", spoon(0.15, 0.2, 0.6, kSteel, kMint));
+    add_model(models, "spoon", "Spoon", spoon(0.2, 0.3, 0.85, 0.07, kSteel, kSteel));
+    add_model(models, "spoon", "Soup spoon", spoon(0.28, 0.32, 0.75, 0.075, kBrass, kBrass));
+    add_model(models, "spoon", "Wooden spoon", spoon(0.18, 0.26, 1.2, 0.05, kHoney, kHoney));
+    add_model(models, "spoon", "Dessert spoon", spoon(0.24, 0.38, 0.7, 0.09, kSlate, kRed));
+    add_model(models, "spoon", "Baby spoon", spoon(0.19, 0.25, 0.5, 0.085, kSteel, kMint));
 }
 
 void add_pans(Models& models) {
