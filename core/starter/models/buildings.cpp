@@ -35,7 +35,7 @@ TriangleMesh door(Vec3 foot, double width, double height, Rgb colour) {
 }
 
 struct House {
-    double width = 1.2, depth = 0.9, wall = 0.7, roof = 0.5, eaves = 0.12;
+    double width = 1.2, depth = 0.9, wall = 0.7, roof = 0.5, eaves = 0.06;
     int floors = 1;
     bool gable_to_front = true, chimney = true, porch = false;
     Rgb walls = kCream, tiles = kBrick, door_colour = kTeal;

@@ -118,8 +118,8 @@ void add_shirts(Models& models) {
 }
 
 struct Trousers {
-    double waist = 0.32, length = 1.1, crotch = 0.36;
-    double leg = 0.26, splay = 0.06;  ///< width at the hem; how far the hem lies outside the waist
+    double waist = 0.34, length = 0.9, crotch = 0.28;
+    double leg = 0.24, splay = 0.06;  ///< width at the hem; how far the hem lies outside the waist
     bool belt = true, cuffs = false, knees = false;
     Rgb cloth = kBlue, trim = kWalnut;
 };
@@ -153,31 +153,32 @@ TriangleMesh trousers(const Trousers& t) {
 
 void add_trousers(Models& models) {
     add_model(models, "pants", "Jeans", trousers({}));
-    add_model(models, "pants", "Flared trousers",
-              trousers({.waist = 0.28, .length = 1.2, .leg = 0.36, .splay = 0.22, .cloth = kPlum, .trim = kMustard}));
+    add_model(
+        models, "pants", "Flared trousers",
+        trousers(
+            {.waist = 0.28, .length = 1.0, .crotch = 0.3, .leg = 0.3, .splay = 0.2, .cloth = kPlum, .trim = kMustard}));
     add_model(models, "pants", "Pyjama trousers",
-              trousers({.waist = 0.34,
-                        .length = 0.95,
-                        .crotch = 0.34,
-                        .leg = 0.32,
+              trousers({.waist = 0.36,
+                        .length = 0.8,
+                        .leg = 0.3,
                         .splay = 0.04,
                         .belt = false,
                         .cuffs = true,
                         .cloth = kSky,
                         .trim = kWhite}));
     add_model(models, "pants", "Patched trousers",
-              trousers({.waist = 0.36,
-                        .length = 0.9,
-                        .crotch = 0.4,
-                        .leg = 0.28,
-                        .splay = 0.12,
+              trousers({.waist = 0.34,
+                        .length = 0.75,
+                        .crotch = 0.26,
+                        .leg = 0.24,
+                        .splay = 0.14,
                         .knees = true,
                         .cloth = kTan,
                         .trim = kBrick}));
     add_model(
         models, "pants", "Slim trousers",
         trousers(
-            {.waist = 0.26, .length = 1.25, .crotch = 0.32, .leg = 0.19, .splay = 0.0, .cloth = kSlate, .trim = kInk}));
+            {.waist = 0.28, .length = 1.1, .crotch = 0.3, .leg = 0.19, .splay = 0.03, .cloth = kSlate, .trim = kInk}));
 }
 
 struct Sock {

@@ -316,11 +316,11 @@ TriangleMesh couch(int seats, double back, double arm, Rgb cloth, Rgb legs, doub
 }
 
 void add_couches(Models& models) {
-    add_model(models, "couch", "Couch", couch(3, 0.55, 0.5, kTeal, kWalnut));
-    add_model(models, "couch", "Love seat", couch(2, 0.6, 0.52, kRose, kWood));
-    add_model(models, "couch", "Long sofa", couch(4, 0.48, 0.42, kStone, kInk, 0.1));
-    add_model(models, "couch", "High-backed settee", couch(2, 0.85, 0.58, kMustard, kWalnut, 0.2));
-    add_model(models, "couch", "Lounge sofa", couch(3, 0.46, 0.62, kNavy, kBrass, 0.22));
+    add_model(models, "couch", "Couch", couch(2, 0.66, 0.54, kTeal, kWalnut, 0.12));
+    add_model(models, "couch", "Love seat", couch(2, 0.56, 0.5, kRose, kWood, 0.1));
+    add_model(models, "couch", "Long sofa", couch(3, 0.6, 0.46, kStone, kInk, 0.1));
+    add_model(models, "couch", "High-backed settee", couch(2, 0.8, 0.6, kMustard, kWalnut, 0.14));
+    add_model(models, "couch", "Lounge sofa", couch(3, 0.66, 0.62, kNavy, kBrass, 0.16));
 }
 
 }  // namespace

@@ -187,17 +187,17 @@ TriangleMesh saxophone(const Saxophone& s) {
 }
 
 void add_saxophones(Models& models) {
-    add_model(models, "saxophone", "Alto saxophone", saxophone({}));
+    add_model(models, "saxophone", "Alto saxophone", saxophone({.length = 0.9, .bell = 0.24, .bore = 0.045}));
     add_model(models, "saxophone", "Tenor saxophone",
-              saxophone({.length = 1.25, .bend = 0.22, .bell = 0.25, .neck = 0.4, .bore = 0.038, .metal = kHoney}));
+              saxophone({.length = 1.15, .bend = 0.24, .bell = 0.27, .neck = 0.4, .bore = 0.045, .metal = kHoney}));
     add_model(models, "saxophone", "Silver saxophone",
-              saxophone({.length = 0.9, .bend = 0.24, .bell = 0.24, .neck = 0.24, .metal = kSteel}));
+              saxophone({.length = 0.85, .bend = 0.28, .bell = 0.28, .neck = 0.22, .bore = 0.05, .metal = kSteel}));
     add_model(models, "saxophone", "Baritone saxophone",
-              saxophone({.length = 1.15, .bend = 0.3, .bell = 0.3, .neck = 0.34, .bore = 0.046, .metal = kBrass}));
+              saxophone({.length = 1.0, .bend = 0.34, .bell = 0.34, .neck = 0.3, .bore = 0.06, .metal = kBrass}));
     add_model(
         models, "saxophone", "Toy saxophone",
         saxophone(
-            {.length = 0.7, .bend = 0.19, .bell = 0.24, .neck = 0.2, .bore = 0.045, .keys = false, .metal = kCoral}));
+            {.length = 0.7, .bend = 0.22, .bell = 0.28, .neck = 0.16, .bore = 0.058, .keys = false, .metal = kCoral}));
 }
 
 }  // namespace

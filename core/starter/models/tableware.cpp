@@ -72,8 +72,8 @@ void add_mugs(Models& models) {
 }
 
 struct Teapot {
-    std::vector<Point> body{{0.25, 0}, {0.48, 0.15}, {0.58, 0.42}, {0.45, 0.68}, {0.24, 0.78}};
-    double spout_low = 0.25, spout_high = 0.72, spout_reach = 0.42;
+    std::vector<Point> body{{0.28, 0}, {0.46, 0.14}, {0.52, 0.44}, {0.4, 0.74}, {0.22, 0.84}};
+    double spout_low = 0.25, spout_high = 0.84, spout_reach = 0.46;
     bool hoop = false;  ///< a handle over the lid
     Rgb colour = kTeal, accent = kBrass;
 };
@@ -141,10 +141,10 @@ void add_teapots(Models& models) {
                       .colour = kMint,
                       .accent = kSlate}));
     add_model(models, "teapot", "Little teapot",
-              teapot({.body = {{0.2, 0}, {0.42, 0.12}, {0.52, 0.38}, {0.42, 0.62}, {0.2, 0.7}},
-                      .spout_low = 0.22,
-                      .spout_high = 0.5,
-                      .spout_reach = 0.3,
+              teapot({.body = {{0.26, 0}, {0.42, 0.12}, {0.46, 0.38}, {0.36, 0.62}, {0.2, 0.7}},
+                      .spout_low = 0.2,
+                      .spout_high = 0.66,
+                      .spout_reach = 0.4,
                       .colour = kCream,
                       .accent = kRose}));
 }
@@ -191,11 +191,11 @@ void add_glasses(Models& models) {
                     cap, 24));
         return a.mesh();
     };
-    add_model(models, "wine bottle", "Wine bottle", bottle(0.26, 0.85, 0.25, 0.45, kForest, kCream, kWine));
-    add_model(models, "wine bottle", "Burgundy bottle", bottle(0.3, 0.62, 0.55, 0.35, kOlive, kIvory, kBrass));
-    add_model(models, "wine bottle", "Hock bottle", bottle(0.22, 0.7, 0.7, 0.35, kTeal, kWhite, kNavy));
-    add_model(models, "wine bottle", "Stout bottle", bottle(0.34, 0.6, 0.25, 0.3, kChestnut, kMustard, kInk));
-    add_model(models, "wine bottle", "Oil bottle", bottle(0.2, 1.0, 0.16, 0.5, kLeaf, kCream, kWalnut));
+    add_model(models, "wine bottle", "Wine bottle", bottle(0.27, 0.8, 0.22, 0.38, kForest, kCream, kWine));
+    add_model(models, "wine bottle", "Burgundy bottle", bottle(0.32, 0.55, 0.42, 0.3, kOlive, kIvory, kBrass));
+    add_model(models, "wine bottle", "Hock bottle", bottle(0.22, 0.7, 0.6, 0.3, kTeal, kWhite, kNavy));
+    add_model(models, "wine bottle", "Stout bottle", bottle(0.36, 0.62, 0.2, 0.28, kChestnut, kMustard, kInk));
+    add_model(models, "wine bottle", "Round flask", bottle(0.42, 0.42, 0.3, 0.36, kLeaf, kCream, kWalnut));
 }
 
 void add_cutlery(Models& models) {
@@ -228,10 +228,10 @@ void add_cutlery(Models& models) {
         }
         return a.mesh();
     };
-    add_model(models, "fork", "Fork", fork(4, 0.36, 0.15, 1.0, kSteel, kSteel));
-    add_model(models, "fork", "Dessert fork", fork(3, 0.3, 0.13, 0.8, kBrass, kBrass));
+    add_model(models, "fork", "Fork", fork(4, 0.36, 0.18, 0.85, kSteel, kSteel));
+    add_model(models, "fork", "Dessert fork", fork(3, 0.34, 0.17, 0.7, kBrass, kBrass));
     add_model(models, "fork", "Carving fork", fork(2, 0.55, 0.12, 0.9, kSteel, kWalnut));
-    add_model(models, "fork", "Picnic fork", fork(3, 0.34, 0.17, 0.75, kCoral, kCoral));
+    add_model(models, "fork", "Picnic fork", fork(3, 0.38, 0.22, 0.6, kCoral, kCoral));
     add_model(models, "fork", "Wooden-handled fork", fork(4, 0.3, 0.18, 1.15, kSteel, kHoney));
     const auto spoon = [&](double wide, double high, double length, double broad, Rgb metal, Rgb grip_colour) {
         Assembly a;

@@ -155,11 +155,11 @@ void add_umbrellas(Models& models) {
                 .add(ball({0, -shaft - 0.08, 0}, 0.06, kHoney));
         return a.mesh();
     };
-    add_model(models, "umbrella", "Red umbrella", umbrella(0.75, 0.42, 0.75, true, kRed, kCoral, 0.1));
+    add_model(models, "umbrella", "Red umbrella", umbrella(0.7, 0.52, 0.75, true, kRed, kCoral, 0.1));
     add_model(models, "umbrella", "Parasol", umbrella(0.85, 0.3, 0.9, false, kCream, kRose, 0.06));
     add_model(models, "umbrella", "Beach umbrella", umbrella(0.95, 0.4, 1.2, false, kSky, kWhite, 0.12));
     add_model(models, "umbrella", "Bell umbrella", umbrella(0.58, 0.6, 0.62, true, kTeal, kMint, 0.14));
-    add_model(models, "umbrella", "Golf umbrella", umbrella(0.95, 0.46, 0.7, true, kNavy, kMustard, 0.16));
+    add_model(models, "umbrella", "Golf umbrella", umbrella(0.85, 0.5, 0.8, true, kNavy, kMustard, 0.16));
 }
 
 void add_axes_and_swords(Models& models) {
