@@ -75,6 +75,10 @@ TriangleMesh facing_front(TriangleMesh mesh) {
     return mesh;
 }
 
+TriangleMesh narrow(TriangleMesh side_view, double share) {
+    return scaled(facing_front(std::move(side_view)), {share, 1.0, 1.0});
+}
+
 TriangleMesh painted(TriangleMesh mesh, const std::function<Rgb(Vec3, Rgb)>& colour) {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) mesh.colours[i] = colour(mesh.vertices[i], mesh.colours[i]);
     return mesh;

@@ -27,6 +27,9 @@ void join(TriangleMesh& into, const TriangleMesh& part);
 [[nodiscard]] TriangleMesh mirrored_x(TriangleMesh mesh);
 /// Turns the profile frame's +x to +z: the side view is then seen from +x and -x.
 [[nodiscard]] TriangleMesh facing_front(TriangleMesh mesh);
+/// The same at a share of its width: what has long sides is made narrower than life, so that the side people draw is
+/// the one that shows most of it.
+[[nodiscard]] TriangleMesh narrow(TriangleMesh side_view, double share);
 /// Recolours every vertex by its place and present colour.
 [[nodiscard]] TriangleMesh painted(TriangleMesh mesh, const std::function<Rgb(Vec3, Rgb)>& colour);
 /// Moves every vertex. The function must be orientation-preserving, or faces turn inside out.

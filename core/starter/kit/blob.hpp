@@ -38,7 +38,7 @@ class Blob {
     /// Cells are made larger where the surface would
     /// have more than about `kMostTriangles`.
     [[nodiscard]] TriangleMesh mesh(int cells = 64) const;
-    static constexpr std::size_t kMostTriangles = 11500;
+    static constexpr std::size_t kMostTriangles = 7000;
 
   private:
     TriangleMesh meshed(int cells) const;

@@ -85,7 +85,7 @@ TriangleMesh jet(const Jet& j) {
 
 struct PropellerPlane {
     double length = 1.5, radius = 0.19, span = 1.0, chord = 0.42, wing_height = 0.16;
-    bool biplane = false, floats = false;
+    bool floats = false;
     Rgb body = kRed, wing = kCream;
 };
 
@@ -119,12 +119,6 @@ TriangleMesh propeller_plane(const PropellerPlane& p) {
     a.add(ball({h * 0.12, r * 0.75, 0}, {r * 1.25, r * 0.75, r * 0.62}, kGlass));
     const Wing wing{h * 0.42, h * 0.42 - p.chord, h * 0.36, h * 0.4 - p.chord * 0.85, p.span, 0.07};
     a.pair(moved(flat_wing(wing, p.wing), {0, p.wing_height, 0}));
-    if (p.biplane) {
-        a.pair(moved(flat_wing(wing, p.wing), {0, -r * 0.6, 0}));
-        for (const double x : {h * 0.32, h * 0.5 - p.chord})
-            a.pair(rod({x, -r * 0.6, p.span * 0.7}, {x, p.wing_height, p.span * 0.7}, 0.018, kWood))
-                .pair(rod({x, 0, 0.12}, {x, p.wing_height, 0.2}, 0.018, kWood));
-    }
     a.pair(moved(flat_wing({-h * 0.72, -h * 1.02, -h * 0.82, -h * 1.04, 0.38, 0.045}, p.wing), {0, r * 0.3, 0}));
     a.add(slab(closed_spline({{-h * 0.6, r * 0.3},
                               {-h * 0.78, r + 0.14},
@@ -134,6 +128,32 @@ TriangleMesh propeller_plane(const PropellerPlane& p) {
                              4),
                0.05, 0.015, p.body));
     add_gear(a, p, h);
+    return facing_front(a.mesh());
+}
+
+struct ToyPlane {
+    double length = 1.4, radius = 0.26, span = 0.8, chord = 0.44, sweep = 0.18;
+    Rgb body = kSky, wing = kCoral;
+};
+
+/// A stout body, two broad wings, a small tail: an airplane as it is drawn.
+TriangleMesh toy_plane(const ToyPlane& p) {
+    Assembly a;
+    const double h = p.length / 2, r = p.radius;
+    a.add(tube({{{-h, 0.05, 0}, r * 0.25},
+                {{-h * 0.5, 0.02, 0}, r * 0.75},
+                {{h * 0.2, 0, 0}, r},
+                {{h * 0.75, 0, 0}, r * 0.85},
+                {{h * 0.97, 0, 0}, r * 0.4}},
+               p.body, {.sides = 22, .steps = 8}));
+    const double front = h * 0.1 + p.chord / 2;
+    a.pair(
+        flat_wing({front, front - p.chord, front - p.sweep, front - p.sweep - p.chord * 0.75, p.span, 0.08}, p.wing));
+    a.pair(flat_wing({-h * 0.7, -h, -h * 0.85, -h * 1.05, 0.36, 0.06}, p.wing));
+    a.add(slab(closed_spline({{-h * 0.65, r * 0.3}, {-h * 0.95, r + 0.2}, {-h * 1.08, r + 0.18}, {-h, r * 0.1}}, 4),
+               0.06, 0.02, p.wing));
+    for (int k = -2; k <= 2; ++k) a.pair(ball({h * 0.16 * k, r * 0.35, r * 0.86}, {0.05, 0.05, 0.03}, kNavy, 8));
+    a.add(ball({h * 0.72, r * 0.45, 0}, {0.16, 0.11, r * 0.7}, kGlass, 12));
     return facing_front(a.mesh());
 }
 
@@ -166,14 +186,11 @@ void add_airplanes(Models& models) {
     jumbo.accent = kCoral;
     add_model(models, "airplane", "Jumbo jet", jet(jumbo));
     add_model(models, "airplane", "Little propeller plane", propeller_plane({}));
-    PropellerPlane biplane;
-    biplane.biplane = true;
-    biplane.wing_height = 0.42;
-    biplane.span = 0.85;
-    biplane.chord = 0.38;
-    biplane.body = kTeal;
-    biplane.wing = kMustard;
-    add_model(models, "airplane", "Biplane", propeller_plane(biplane));
+    add_model(models, "airplane", "Toy airplane", toy_plane({}));
+    add_model(
+        models, "airplane", "Wooden airplane",
+        toy_plane(
+            {.length = 1.5, .radius = 0.22, .span = 0.95, .chord = 0.36, .sweep = 0.0, .body = kHoney, .wing = kTeal}));
     add_model(models, "airplane", "Fighter jet", fighter(kSlate, kBrick));
     PropellerPlane seaplane;
     seaplane.floats = true;

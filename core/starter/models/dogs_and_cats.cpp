@@ -1,7 +1,8 @@
-// Dogs and cats, great and small.
+// Dogs and cats, on their feet and face to face.
 
 #include <cmath>
 
+#include "core/starter/kit/face.hpp"
 #include "core/starter/kit/quadruped.hpp"
 #include "core/starter/kit/solid.hpp"
 #include "core/starter/models/models.hpp"
@@ -99,54 +100,36 @@ void add_dogs(Models& models) {
             curly.details.add(
                 ball({x * poodle.length / 2 + side * poodle.stride * 0.85, 0.16, side * poodle.spread}, 0.09, kRose));
     add_model(models, "dog", "Poodle", facing_front(curly.mesh()));
-    Quadruped bulldog = q;
-    bulldog.length = 0.55;
-    bulldog.shoulder = 0.48;
-    bulldog.hip = 0.46;
-    bulldog.chest = 0.235;
-    bulldog.belly = 0.2;
-    bulldog.rump = 0.18;
-    bulldog.thigh = 0.1;
-    bulldog.ankle = 0.07;
-    bulldog.foot = 0.075;
-    bulldog.spread = 0.15;
-    bulldog.neck_angle = 40;
-    bulldog.neck_length = 0.2;
-    bulldog.neck_base = 0.18;
-    bulldog.neck_top = 0.17;
-    bulldog.skull = 0.19;
-    bulldog.muzzle = 0.12;
-    bulldog.head_length = 0.22;
-    bulldog.ear_length = 0.13;
-    bulldog.tail = {{{0.03, 0, 0}, 0.04}, {{-0.06, 0.06, 0}, 0.035}};
-    bulldog.tint(kCream);
-    bulldog.ear_colour = kHoney;
-    bulldog.muzzle_colour = kIvory;
-    bulldog.foot_colour = kIvory;
-    add_model(models, "dog", "Bulldog", finished(bulldog));
-    Quadruped greyhound = q;
-    greyhound.length = 0.8;
-    greyhound.shoulder = greyhound.hip = 0.84;
-    greyhound.chest = 0.18;
-    greyhound.belly = 0.105;
-    greyhound.rump = 0.13;
-    greyhound.thigh = 0.07;
-    greyhound.ankle = 0.034;
-    greyhound.foot = 0.045;
-    greyhound.stride = 0.24;
-    greyhound.neck_length = 0.36;
-    greyhound.neck_base = 0.09;
-    greyhound.neck_top = 0.07;
-    greyhound.skull = 0.095;
-    greyhound.muzzle = 0.05;
-    greyhound.head_length = 0.33;
-    greyhound.ear_length = 0.13;
-    greyhound.ear_width = 0.04;
-    greyhound.tail = {
-        {{0.02, 0, 0}, 0.03}, {{-0.1, -0.2, 0}, 0.022}, {{-0.26, -0.42, 0}, 0.016}, {{-0.42, -0.4, 0}, 0.008}};
-    greyhound.tint(kSlate);
-    greyhound.foot_colour = greyhound.muzzle_colour = kStone;
-    add_model(models, "dog", "Greyhound", finished(greyhound));
+    const Face face{.width = 0.42,
+                    .height = 0.46,
+                    .ear = FaceEar::Hanging,
+                    .ear_length = 0.52,
+                    .ear_width = 0.13,
+                    .ear_place = 58,
+                    .ear_lean = 122,
+                    .muzzle = 0.2,
+                    .coat = kHoney,
+                    .inner_ear = kWalnut,
+                    .nose = kInk};
+    add_model(models, "dog", "Dog's face", animal_face(face));
+    Face spaniel = face;
+    spaniel.width = 0.38;
+    spaniel.chin = 0.16;
+    spaniel.ear_length = 0.68;
+    spaniel.ear_width = 0.16;
+    spaniel.ear_lean = 148;
+    spaniel.coat = kWhite;
+    spaniel.inner_ear = kChestnut;
+    add_model(models, "dog", "Spaniel's face", animal_face(spaniel));
+    Face puppy = face;
+    puppy.body = 0.72;
+    puppy.width = 0.4;
+    puppy.height = 0.38;
+    puppy.ear_length = 0.36;
+    puppy.ear_lean = 132;
+    puppy.coat = kTan;
+    puppy.inner_ear = kCocoa;
+    add_model(models, "dog", "Sitting puppy", animal_face(puppy));
 }
 
 Quadruped cat_shape() {
@@ -242,107 +225,33 @@ void add_cats(Models& models) {
     fluffy.tail = {
         {{0.03, 0.02, 0}, 0.08}, {{-0.16, 0.12, 0}, 0.11}, {{-0.26, 0.34, 0}, 0.12}, {{-0.24, 0.55, 0}, 0.07}};
     add_model(models, "cat", "Fluffy cat", make_cat(fluffy, kGrey, 0));
-    Quadruped kitten = q;
-    kitten.tint(kHoney);
-    kitten.length = 0.38;
-    kitten.shoulder = kitten.hip = 0.34;
-    kitten.chest = kitten.belly = kitten.rump = 0.125;
-    kitten.stride = 0.06;
-    kitten.skull = 0.17;
-    kitten.ear_length = 0.16;
-    kitten.tail = {{{0.03, 0.02, 0}, 0.035}, {{-0.07, 0.16, 0}, 0.035}, {{-0.08, 0.36, 0}, 0.02}};
-    add_model(models, "cat", "Kitten", make_cat(kitten, kCream, 40));
-    Quadruped stalking = q;
-    stalking.tint(kInk);
-    stalking.coat = stalking.underside = stalking.leg_colour = stalking.ear_colour = stalking.tail_colour =
-        mixed(kInk, kSlate, 0.35);
-    stalking.muzzle_colour = stalking.foot_colour = kSlate;
-    stalking.length = 0.82;
-    stalking.shoulder = 0.42;
-    stalking.neck_angle = 8;
-    stalking.stride = 0.2;
-    add_model(models, "cat", "Black cat on the prowl", make_cat(stalking, kInk, 0));
-}
-
-void add_lions_and_tigers(Models& models) {
-    Quadruped q = cat_shape();
-    q.length = 0.85;
-    q.shoulder = 0.66;
-    q.hip = 0.62;
-    q.chest = 0.2;
-    q.belly = 0.165;
-    q.rump = 0.18;
-    q.thigh = 0.095;
-    q.ankle = 0.06;
-    q.foot = 0.072;
-    q.stride = 0.15;
-    q.neck_length = 0.24;
-    q.neck_base = 0.16;
-    q.neck_top = 0.14;
-    q.skull = 0.18;
-    q.muzzle = 0.1;
-    q.head_length = 0.25;
-    q.ear = Ear::Round;
-    q.ear_length = 0.12;
-    q.ear_width = 0.065;
-    q.tail = {{{0.03, 0.02, 0}, 0.032},   {{-0.14, -0.08, 0}, 0.028}, {{-0.26, -0.26, 0}, 0.025},
-              {{-0.42, -0.28, 0}, 0.025}, {{-0.5, -0.2, 0}, 0.055},   {{-0.56, -0.12, 0}, 0.01}};
-    const auto lion = [](Quadruped shape, Rgb coat, Rgb mane, double size) {
-        shape.tint(coat);
-        shape.foot_colour = coat;
-        shape.muzzle_colour = lighter(coat);
-        Animal a = quadruped(shape);
-        a.body.blending(0.04);
-        const Vec3 middle = a.head + Vec3{-0.13, -0.03, 0};
-        if (size > 0) a.body.egg(middle, {0.16, size * 0.95, size * 0.9}, mane, 12);
-        for (int k = 0; k < 12 && size > 0; ++k) {
-            const double turn = 2.0 * 3.14159265 * k / 12;
-            const Vec3 out = Vec3{-0.1 - 0.2 * std::cos(turn), std::cos(turn), std::sin(turn) * 0.95} * size;
-            a.body.limb(middle, middle + out, 0.12, 0.075, mane);
-        }
-        return facing_front(a.mesh(60));
-    };
-    add_model(models, "lion", "Lion", lion(q, kStraw, kChestnut, 0.31));
-    add_model(models, "lion", "Lioness", lion(q, kSand, kSand, 0.0));
-    Quadruped old = q;
-    old.length = 0.95;
-    old.neck_angle = 20;
-    old.stride = 0.24;
-    add_model(models, "lion", "Walking lion", lion(old, kHoney, kCocoa, 0.33));
-    Quadruped cub = q;
-    cub.length = 0.5;
-    cub.shoulder = cub.hip = 0.42;
-    cub.chest = cub.belly = cub.rump = 0.15;
-    cub.stride = 0.1;
-    cub.tail = {{{0.03, 0.02, 0}, 0.025},
-                {{-0.14, 0.04, 0}, 0.022},
-                {{-0.24, 0.2, 0}, 0.022},
-                {{-0.26, 0.28, 0}, 0.04},
-                {{-0.26, 0.35, 0}, 0.01}};
-    add_model(models, "lion", "Lion cub", lion(cub, kStraw, kHoney, 0.17));
-
-    Quadruped tiger = q;
-    tiger.length = 1.0;
-    tiger.neck_angle = 30;
-    tiger.tint(kOrange);
-    tiger.muzzle_colour = tiger.foot_colour = kCream;
-    tiger.tail = {{{0.03, 0.02, 0}, 0.045},
-                  {{-0.16, -0.06, 0}, 0.042},
-                  {{-0.3, -0.22, 0}, 0.04},
-                  {{-0.48, -0.2, 0}, 0.036},
-                  {{-0.56, -0.06, 0}, 0.03}};
-    add_model(models, "tiger", "Tiger", make_cat(tiger, kInk, 36));
-    Quadruped white = tiger;
-    white.tint(kWhite);
-    white.stride = 0.24;
-    white.length = 1.08;
-    add_model(models, "tiger", "White tiger", make_cat(white, kSlate, 34));
-    Quadruped young = tiger;
-    young.length = 0.62;
-    young.shoulder = young.hip = 0.5;
-    young.stride = 0.12;
-    young.chest = young.belly = young.rump = 0.16;
-    add_model(models, "tiger", "Tiger cub", make_cat(young, kCocoa, 40));
+    const Face face{.whiskers = 0.3};
+    add_model(models, "cat", "Cat's face", animal_face(face));
+    Face black = face;
+    black.width = 0.5;
+    black.height = 0.4;
+    black.ear_length = 0.36;
+    black.ear_place = 42;
+    black.ear_lean = 28;
+    black.whiskers = 0.22;
+    black.coat = mixed(kInk, kSlate, 0.4);
+    black.light = kStone;
+    add_model(models, "cat", "Black cat's face", animal_face(black));
+    Face white = face;
+    white.width = 0.42;
+    white.height = 0.42;
+    white.ear_length = 0.34;
+    white.ear_width = 0.13;
+    white.ear_lean = 14;
+    white.whiskers = 0.0;
+    white.coat = kWhite;
+    white.light = kCream;
+    add_model(models, "cat", "Kitten's face", animal_face(white));
+    Face looking = face;
+    looking.body = 0.7;
+    looking.whiskers = 0.18;
+    looking.coat = kGrey;
+    add_model(models, "cat", "Cat looking up", animal_face(looking));
 }
 
 }  // namespace
@@ -350,7 +259,6 @@ void add_lions_and_tigers(Models& models) {
 void add_dogs_and_cats(Models& models) {
     add_dogs(models);
     add_cats(models);
-    add_lions_and_tigers(models);
 }
 
 }  // namespace core::starter

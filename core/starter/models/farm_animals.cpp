@@ -1,4 +1,4 @@
-// Cows, pigs and sheep.
+// Cows and sheep.
 
 #include <cmath>
 
@@ -92,78 +92,6 @@ void add_cows(Models& models) {
     add_model(models, "cow", "Calf", cow(calf, kTan, 8.0, 0.05, 0.05, false));
 }
 
-void add_pigs(Models& models) {
-    Quadruped q;
-    q.length = 0.62;
-    q.shoulder = q.hip = 0.44;
-    q.chest = 0.25;
-    q.belly = 0.27;
-    q.rump = 0.25;
-    q.thigh = 0.085;
-    q.ankle = 0.058;
-    q.foot = 0.06;
-    q.stride = 0.1;
-    q.neck_angle = 15;
-    q.neck_length = 0.16;
-    q.neck_base = q.neck_top = 0.19;
-    q.skull = 0.19;
-    q.muzzle = 0.1;
-    q.head_length = 0.3;
-    q.head_angle = 10;
-    q.ear_length = 0.17;
-    q.ear_width = 0.075;
-    q.tail = {{{0.02, 0.03, 0}, 0.022},      {{-0.08, 0.06, 0.03}, 0.02},  {{-0.1, 0.14, 0}, 0.019},
-              {{-0.04, 0.12, -0.03}, 0.018}, {{-0.08, 0.05, 0.02}, 0.017}, {{-0.17, 0.1, 0.02}, 0.01}};
-    q.tint(kPink);
-    q.muzzle_colour = kRose;
-    q.foot_colour = kRose;
-    const auto pig = [](const Quadruped& shape, Rgb patch, double tusk) {
-        Animal a = quadruped(shape);
-        const Vec3 snout = a.muzzle_tip + a.head_forward * (shape.muzzle * 0.55) - a.head_up * (0.25 * shape.skull);
-        a.details.add(rod(snout, snout + a.head_forward * 0.05, shape.muzzle * 0.95, shape.muzzle_colour));
-        a.details.pair(ball(snout + a.head_forward * 0.13 + Vec3{0, 0, 0.035}, {0.03, 0.03, 0.018}, kWine, 8));
-        if (tusk > 0)
-            a.details.pair(
-                tube({{snout + Vec3{-0.06, -0.04, 0.08}, 0.022}, {snout + Vec3{0.0, tusk, 0.13}, 0.006}}, kCream));
-        TriangleMesh body = painted(
-            a.body.mesh(52), [&](Vec3 p, Rgb c) { return c == shape.coat && p.x > -0.12 && p.x < 0.16 ? patch : c; });
-        join(body, a.details.mesh());
-        return facing_front(body);
-    };
-    add_model(models, "pig", "Pink pig", pig(q, kPink, 0));
-    Quadruped saddle = q;
-    saddle.tint(kSlate);
-    saddle.muzzle_colour = kRose;
-    saddle.length = 0.75;
-    saddle.ear = Ear::Floppy;
-    saddle.ear_length = 0.22;
-    add_model(models, "pig", "Saddleback pig", pig(saddle, kPink, 0));
-    Quadruped boar = q;
-    boar.tint(kWalnut);
-    boar.muzzle_colour = kCocoa;
-    boar.foot_colour = kInk;
-    boar.chest = 0.29;
-    boar.rump = 0.2;
-    boar.shoulder = 0.54;
-    boar.hip = 0.48;
-    boar.head_length = 0.4;
-    boar.head_angle = 24;
-    add_model(models, "pig", "Wild boar", pig(boar, kWalnut, 0.14));
-    Quadruped piglet = q;
-    piglet.length = 0.4;
-    piglet.shoulder = piglet.hip = 0.36;
-    piglet.chest = piglet.belly = piglet.rump = 0.19;
-    piglet.tint(kCoral);
-    piglet.coat = piglet.underside = piglet.leg_colour = mixed(kPink, kCoral, 0.4);
-    add_model(models, "pig", "Piglet", pig(piglet, piglet.coat, 0));
-    Quadruped sow = q;
-    sow.length = 0.85;
-    sow.belly = 0.31;
-    sow.sag = 0.03;
-    sow.shoulder = sow.hip = 0.46;
-    add_model(models, "pig", "Big sow", pig(sow, kPink, 0));
-}
-
 void add_sheep(Models& models) {
     Quadruped q;
     q.length = 0.56;
@@ -234,7 +162,6 @@ void add_sheep(Models& models) {
 
 void add_farm_animals(Models& models) {
     add_cows(models);
-    add_pigs(models);
     add_sheep(models);
 }
 

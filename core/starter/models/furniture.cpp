@@ -31,43 +31,53 @@ void add_slat_back(Assembly& a, double x, double seat, double height, double wid
     }
 }
 
-TriangleMesh kitchen_chair(double back, double seat, Rgb wood, Rgb cushion, double lean = 0.1, int slats = 3) {
+struct Chair {
+    double back = 0.6, seat = 0.48, depth = 0.46, width = 0.27, lean = 0.1;
+    double thick = 0.05, leg = 0.026;
+    int slats = 3;
+    Rgb wood = kWood, cushion = kCoral;
+};
+
+/// Narrower than life: its side, the one that people draw, is what one sees of it.
+TriangleMesh side_chair(const Chair& c) {
     Assembly a;
-    add_legs(a, 0.4, 0.4, seat, 0.034, 0.026, 0.02, wood);
-    a.add(box({0, seat, 0}, {0.52, 0.06, 0.52}, 0.025, wood))
-        .add(box({0.01, seat + 0.045, 0}, {0.44, 0.05, 0.44}, 0.024, cushion));
-    for (const double x : {-0.2, 0.2}) a.add(rod({x, seat * 0.4, -0.2}, {x, seat * 0.4, 0.2}, 0.018, wood));
-    a.pair(rod({-0.2, seat * 0.52, 0.2}, {0.2, seat * 0.52, 0.2}, 0.018, wood));
-    add_slat_back(a, -0.22, seat, back, 0.4, lean, slats, wood);
+    const double x = c.depth / 2;
+    add_legs(a, c.depth * 0.86, c.width * 0.8, c.seat, c.leg, c.leg * 0.8, 0.02, c.wood);
+    a.add(box({0, c.seat, 0}, {c.depth + 0.06, c.thick, c.width}, c.thick * 0.4, c.wood))
+        .add(box({0.01, c.seat + c.thick * 0.7, 0}, {c.depth * 0.9, c.thick * 0.8, c.width * 0.86}, c.thick * 0.35,
+                 c.cushion));
+    add_slat_back(a, -x, c.seat, c.back, c.width * 0.8, c.lean, c.slats, c.wood);
+    return facing_front(a.mesh());
+}
+
+/// Front, back and seat are boards as wide as the chair: from the side an "h" of four lines, as a chair is drawn.
+TriangleMesh board_chair(const Chair& c) {
+    Assembly a;
+    const double x = c.depth / 2, t = c.thick;
+    a.add(box({0, c.seat, 0}, {c.depth + t, t, c.width}, t * 0.4, c.cushion));
+    a.add(moved(turned_z(box({0, -c.seat / 2, 0}, {t * 0.8, c.seat, c.width}, t * 0.3, c.wood), 3), {x, c.seat, 0}));
+    a.add(moved(turned_z(box({0, -c.seat / 2, 0}, {t * 0.8, c.seat, c.width}, t * 0.3, c.wood), -3), {-x, c.seat, 0}));
+    const double lean = std::atan2(c.lean, c.back) * 180.0 / 3.14159265;
+    a.add(moved(turned_z(box({0, c.back / 2, 0}, {t * 0.8, c.back, c.width}, t * 0.3, c.wood), lean),
+                {-x, c.seat - t * 0.3, 0}));
+    a.add(moved(
+        turned_z(box({t * 0.5, c.back * 0.66, 0}, {t * 0.7, c.back * 0.5, c.width * 0.8}, t * 0.3, c.cushion), lean),
+        {-x, c.seat - t * 0.3, 0}));
     return facing_front(a.mesh());
 }
 
 TriangleMesh rocking_chair() {
     Assembly a;
-    a.add(moved(kitchen_chair(0.62, 0.46, kWood, kTeal, 0.16, 4), {0, 0.1, 0}));
+    a.add(moved(side_chair({.seat = 0.46, .lean = 0.16, .slats = 4, .cushion = kTeal}), {0, 0.1, 0}));
     Assembly rockers;
-    rockers.pair(tube({{{-0.55, 0.2, 0.22}, 0.028},
-                       {{-0.25, 0.1, 0.22}, 0.03},
-                       {{0.05, 0.075, 0.22}, 0.03},
-                       {{0.3, 0.1, 0.22}, 0.03},
-                       {{0.52, 0.18, 0.22}, 0.028}},
+    rockers.pair(tube({{{-0.55, 0.2, 0.14}, 0.028},
+                       {{-0.25, 0.1, 0.14}, 0.03},
+                       {{0.05, 0.075, 0.14}, 0.03},
+                       {{0.3, 0.1, 0.14}, 0.03},
+                       {{0.52, 0.18, 0.14}, 0.028}},
                       kWalnut));
-    rockers.pair(tube({{{-0.26, 0.8, 0.24}, 0.025}, {{0.02, 0.82, 0.26}, 0.03}, {{0.24, 0.79, 0.26}, 0.026}}, kWalnut));
-    rockers.pair(rod({0.18, 0.56, 0.24}, {0.18, 0.8, 0.26}, 0.02, kWalnut));
     a.add(facing_front(rockers.mesh()));
     return a.mesh();
-}
-
-TriangleMesh armchair(Rgb cloth, Rgb wood, double back, double wings) {
-    Assembly a;
-    add_legs(a, 0.55, 0.55, 0.2, 0.045, 0.03, 0.02, wood);
-    a.add(box({0, 0.3, 0}, {0.78, 0.26, 0.78}, 0.09, cloth))
-        .add(box({0.05, 0.46, 0}, {0.66, 0.16, 0.52}, 0.075, lighter(cloth)));
-    a.add(moved(turned_z(box({0, back / 2, 0}, {0.2, back, 0.74}, 0.09, cloth), 10), {-0.27, 0.36, 0}));
-    a.pair(box({0.03, 0.5, 0.36}, {0.7, 0.34, 0.16}, 0.075, cloth));
-    if (wings > 0)
-        a.pair(moved(turned_z(box({0.12, back * 0.7, 0}, {0.3, wings, 0.1}, 0.045, cloth), 10), {-0.27, 0.36, 0.36}));
-    return facing_front(a.mesh());
 }
 
 TriangleMesh office_chair() {
@@ -85,13 +95,47 @@ TriangleMesh office_chair() {
 }
 
 void add_chairs(Models& models) {
-    add_model(models, "chair", "Kitchen chair", kitchen_chair(0.55, 0.5, kWood, kCoral));
-    add_model(models, "chair", "Ladder-back chair", kitchen_chair(0.85, 0.46, kWalnut, kStraw, 0.12, 5));
+    add_model(models, "chair", "Kitchen chair", side_chair({}));
+    add_model(models, "chair", "Ladder-back chair",
+              side_chair({.back = 0.85, .seat = 0.46, .lean = 0.12, .slats = 5, .wood = kWalnut, .cushion = kStraw}));
     add_model(models, "chair", "Rocking chair", rocking_chair());
-    add_model(models, "chair", "Armchair", armchair(kTeal, kWalnut, 0.62, 0.0));
-    add_model(models, "chair", "Wing chair", armchair(kWine, kWalnut, 0.85, 0.42));
     add_model(models, "chair", "Office chair", office_chair());
-    add_model(models, "chair", "High chair", kitchen_chair(0.34, 0.86, kCream, kMint, 0.06, 2));
+    add_model(models, "chair", "Board chair",
+              board_chair({.back = 0.66,
+                           .seat = 0.5,
+                           .depth = 0.5,
+                           .width = 0.36,
+                           .lean = 0.05,
+                           .thick = 0.045,
+                           .wood = kHoney,
+                           .cushion = kForest}));
+    add_model(models, "chair", "High-backed chair",
+              board_chair({.back = 0.85,
+                           .seat = 0.46,
+                           .depth = 0.46,
+                           .width = 0.32,
+                           .lean = 0.1,
+                           .thick = 0.05,
+                           .wood = kSlate,
+                           .cushion = kMustard}));
+    add_model(models, "chair", "Low chair",
+              board_chair({.back = 0.5,
+                           .seat = 0.4,
+                           .depth = 0.6,
+                           .width = 0.36,
+                           .lean = 0.02,
+                           .thick = 0.055,
+                           .wood = kCream,
+                           .cushion = kMint}));
+    add_model(models, "chair", "Bar chair",
+              board_chair({.back = 0.4,
+                           .seat = 0.78,
+                           .depth = 0.44,
+                           .width = 0.3,
+                           .lean = 0.04,
+                           .thick = 0.045,
+                           .wood = kBrick,
+                           .cushion = kStraw}));
 }
 
 TriangleMesh four_leg_table(double length, double width, double height, double leg, double splay, Rgb top, Rgb legs) {
@@ -214,9 +258,9 @@ struct Bed {
 TriangleMesh bed(const Bed& b) {
     Assembly a;
     const double h = b.length / 2;
-    a.add(box({0, b.height - 0.06, 0}, {b.length, 0.14, b.width}, 0.03, b.wood))
-        .add(box({0, b.height + 0.08, 0}, {b.length - 0.06, 0.2, b.width - 0.04}, 0.07, kWhite));
-    a.add(box({h * 0.28, b.height + 0.1, 0}, {b.length * 0.68, 0.22, b.width + 0.03}, 0.08, b.blanket));
+    a.add(box({0, b.height - 0.06, 0}, {b.length, 0.1, b.width}, 0.03, b.wood))
+        .add(box({0, b.height + 0.08, 0}, {b.length - 0.06, 0.16, b.width - 0.04}, 0.06, kWhite));
+    a.add(box({h * 0.28, b.height + 0.1, 0}, {b.length * 0.68, 0.18, b.width + 0.03}, 0.07, b.blanket));
     a.add(box({-h * 0.74, b.height + 0.22, 0}, {0.32, 0.15, b.width * 0.72}, 0.07, kCream));
     a.add(box({-h, b.head / 2 + 0.12, 0}, {0.07, b.head - 0.24, b.width}, 0.03, b.wood))
         .add(box({h, b.foot / 2 + 0.1, 0}, {0.07, b.foot - 0.2, b.width}, 0.03, b.wood));
@@ -227,7 +271,7 @@ TriangleMesh bed(const Bed& b) {
             .pair(ball({x, height + 0.04, b.width / 2}, 0.06, b.wood, 8));
     }
     if (b.posts) a.add(box({0, top, 0}, {b.length + 0.1, 0.12, b.width + 0.1}, 0.03, b.blanket));
-    return facing_front(a.mesh());
+    return narrow(a.mesh(), 0.45);  // narrow: people draw its side
 }
 
 void add_beds(Models& models) {
@@ -268,15 +312,15 @@ TriangleMesh couch(int seats, double back, double arm, Rgb cloth, Rgb legs, doub
     a.pair_x(box({width / 2 + 0.1, low + arm / 2, 0.02}, {0.2, arm, 0.82}, 0.09, cloth));
     for (const double x : {-1.0, 1.0})
         a.pair(cone({x * (width / 2 + 0.06), 0, 0.3}, {x * (width / 2 + 0.03), low + 0.04, 0.28}, 0.025, 0.04, legs));
-    return a.mesh();
+    return scaled(a.mesh(), {1.0, 1.0, 0.5});  // shallow: people draw it from the front
 }
 
 void add_couches(Models& models) {
-    add_model(models, "couch", "Couch", couch(3, 0.55, 0.5, kTeal, kWalnut));
-    add_model(models, "couch", "Love seat", couch(2, 0.6, 0.52, kRose, kWood));
-    add_model(models, "couch", "Long sofa", couch(4, 0.48, 0.42, kStone, kInk, 0.1));
-    add_model(models, "couch", "High-backed settee", couch(2, 0.85, 0.58, kMustard, kWalnut, 0.2));
-    add_model(models, "couch", "Lounge sofa", couch(3, 0.46, 0.62, kNavy, kBrass, 0.22));
+    add_model(models, "couch", "Couch", couch(2, 0.66, 0.54, kTeal, kWalnut, 0.12));
+    add_model(models, "couch", "Love seat", couch(2, 0.56, 0.5, kRose, kWood, 0.1));
+    add_model(models, "couch", "Long sofa", couch(3, 0.6, 0.46, kStone, kInk, 0.1));
+    add_model(models, "couch", "High-backed settee", couch(2, 0.8, 0.6, kMustard, kWalnut, 0.14));
+    add_model(models, "couch", "Lounge sofa", couch(3, 0.66, 0.62, kNavy, kBrass, 0.16));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Guitars, violins, drums, trumpets and pianos.
+// Guitars and saxophones. They face +z.
 
 #include <cmath>
 
@@ -155,165 +155,56 @@ void add_guitars(Models& models) {
                        1.25, kTeal, kWhite, 4, 0.5));
 }
 
-TriangleMesh fiddle(double size, double neck, bool spike, Rgb wood, double fat) {
-    Assembly a;
-    std::vector<Point> half{{0.0, -0.02}, {0.2, 0.0},   {0.33, 0.14}, {0.32, 0.32}, {0.24, 0.38}, {0.19, 0.5},
-                            {0.22, 0.62}, {0.28, 0.66}, {0.26, 0.84}, {0.12, 0.94}, {0.04, 0.95}};
-    for (Point& p : half) p.x *= fat;
-    a.add(slab(mirrored_outline(half), 0.14 * fat, 0.035, wood));
-    const double z = 0.07 * fat;
-    for (const double side : {1.0, -1.0})
-        a.add(tube({{{side * 0.13, 0.34, z}, 0.014}, {{side * 0.15, 0.45, z}, 0.012}, {{side * 0.12, 0.56, z}, 0.014}},
-                   kInk, {.sides = 8}));
-    a.add(
-        moved(slab({{-0.035, 0.04}, {-0.06, 0.28}, {0.06, 0.28}, {0.035, 0.04}}, 0.05, 0.012, kInk), {0, 0, z + 0.01}));
-    a.add(box({0, 0.42, z + 0.03}, {0.17, 0.025, 0.09}, 0.01, kHoney));
-    a.add(box_between({-0.035, 0.55, z}, {0.035, 0.92 + neck, z + 0.05}, 0.012, kInk));
-    a.add(tube({{{0, 0.9 + neck, z + 0.02}, 0.035}, {{0, 1.05 + neck, z + 0.02}, 0.038}, {{0, 1.16 + neck, z}, 0.05}},
-               darker(wood)));
-    for (const double y : {0.98, 1.06})
-        a.add(tube({{{-0.13, y + neck, z + 0.02}, 0.03, 0.015},
-                    {{-0.08, y + neck, z + 0.02}, 0.014},
-                    {{0.08, y + neck, z + 0.02}, 0.014},
-                    {{0.13, y + neck, z + 0.02}, 0.03, 0.015}},
-                   kInk, {.sides = 8, .steps = 2}));
-    for (int k = 0; k < 4; ++k)
-        a.add(tube({{{0.02 * (k - 1.5), 0.2, z + 0.06}, 0.004}, {{0.016 * (k - 1.5), 0.92 + neck, z + 0.06}, 0.004}},
-                   kSteel, {.sides = 5, .cap = Cap::Flat}));
-    if (spike) a.add(rod({0, 0.02, 0}, {0, -0.26, 0}, 0.018, kSteel));
-    return scaled(a.mesh(), {size, size, size});
-}
+struct Saxophone {
+    double length = 1.0, bend = 0.2, bell = 0.22, neck = 0.3, bore = 0.035;  ///< of the straight body; radii
+    bool keys = true;
+    Rgb metal = kMustard;
+};
 
-void add_violins(Models& models) {
-    add_model(models, "violin", "Violin", fiddle(1.0, 0.5, false, kChestnut, 1.0));
-    add_model(models, "violin", "Honey violin", fiddle(1.0, 0.38, false, kHoney, 0.9));
-    add_model(models, "violin", "Viola", fiddle(1.0, 0.6, false, kBrick, 1.1));
-    add_model(models, "cello", "Cello", fiddle(1.6, 0.42, true, kWood, 1.12));
-    add_model(models, "cello", "Dark cello", fiddle(1.6, 0.55, true, kCocoa, 1.0));
-    add_model(models, "cello", "Double bass", fiddle(1.8, 0.7, true, kHoney, 1.25));
-}
-
-TriangleMesh drum(Vec3 at, double r, double h, Rgb colour) {
+/// From the mouthpiece over the neck down the body, round the bow and up to the bell.
+TriangleMesh saxophone(const Saxophone& s) {
+    const double l = s.length, r = s.bend, w = s.bore;
     Assembly a;
-    a.add(lathe({{0, 0}, {r, 0}, {r, h}, {0, h}}, colour, 36))
-        .add(lathe({{0, h * 0.86}, {r + 0.02, h * 0.86}, {r + 0.02, h + 0.01}, {0, h + 0.01}}, kCream, 36))
-        .add(lathe({{0, -0.01}, {r + 0.02, -0.01}, {r + 0.02, h * 0.12}, {0, h * 0.12}}, kSteel, 36));
-    return moved(a.mesh(), at);
-}
-
-TriangleMesh drum_kit(double bass, int toms, int cymbals, Rgb colour) {
-    Assembly a;
-    a.add(moved(turned_x(drum({0, -0.25, 0}, bass, 0.5, colour), 90), {0, bass, 0}));
-    for (int k = 0; k < toms; ++k)
-        a.add(moved(turned_x(drum({0, 0, 0}, 0.24, 0.22, colour), 12),
-                    {(k - (toms - 1) / 2.0) * 0.54, 2 * bass + 0.06, 0}));
-    for (const double side : {-1.0, 1.0}) {
-        a.add(drum({side * (bass + 0.34), 0.3, 0.1}, 0.28, 0.3, colour));
-        for (int k = 0; k < 3; ++k)
-            a.add(moved(turned_y(rod({0.2, 0, 0}, {0.12, 0.35, 0}, 0.018, kSteel), 120.0 * k),
-                        {side * (bass + 0.34), 0, 0.1}));
-    }
-    for (int k = 0; k < cymbals; ++k) {
-        const double side = k == 0 ? 1.0 : -1.0;
-        a.add(rod({side * (bass + 0.62), 0, -0.2}, {side * (bass + 0.5), 1.35, -0.2}, 0.02, kSteel));
-        a.add(moved(turned_z(lathe({{0, 0}, {0.36, 0}, {0.1, 0.04}, {0.06, 0.08}, {0, 0.09}}, kBrass, 32), side * 12),
-                    {side * (bass + 0.5), 1.33, -0.2}));
-    }
+    a.add(tube({{{-s.neck, l + 0.02, 0}, w * 0.8},
+                {{-s.neck * 0.55, l + 0.1, 0}, w * 0.85},
+                {{-s.neck * 0.12, l + 0.06, 0}, w},
+                {{0, l * 0.85, 0}, w * 1.15},
+                {{0.02, l * 0.4, 0}, w * 1.8},
+                {{0.05, r * 0.6, 0}, w * 2.4},
+                {{0.05 + r * 0.4, -r * 0.25, 0}, w * 2.7},
+                {{0.05 + r * 1.25, -r * 0.2, 0}, w * 3.0},
+                {{0.05 + r * 1.75, r * 0.8, 0}, w * 3.2},
+                {{0.05 + r * 1.85, l * 0.36, 0}, s.bell * 0.62},
+                {{0.05 + r * 2.0, l * 0.52, 0}, s.bell}},
+               s.metal, {.sides = 20, .steps = 6, .cap = Cap::Flat}));
+    a.add(moved(turned_z(ball({0, 0, 0}, {s.bell * 0.9, 0.012, s.bell * 0.9}, darker(s.metal, 0.5), 12), -10),
+                {0.05 + r * 2.0, l * 0.525, 0}));
+    a.add(tube({{{-s.neck + 0.03, l + 0.04, 0}, w * 0.95}, {{-s.neck - 0.16, l - 0.03, 0}, w * 0.55}}, kInk));
+    for (int k = 0; k < 6 && s.keys; ++k)
+        a.add(rod({0.01, l * (0.78 - 0.11 * k), w * 1.1}, {0.01, l * (0.78 - 0.11 * k), w * 2.4}, w * (1.0 + 0.1 * k),
+                  kCream, Cap::Flat));
     return a.mesh();
 }
 
-void add_drums(Models& models) {
-    add_model(models, "drums", "Drum kit", drum_kit(0.42, 2, 2, kRed));
-    add_model(models, "drums", "Jazz drum kit", drum_kit(0.34, 1, 2, kTeal));
-    add_model(models, "drums", "Big drum kit", drum_kit(0.5, 3, 2, kNavy));
-}
-
-TriangleMesh grand_piano(Rgb colour, double length) {
-    Assembly a;
-    std::vector<Point> plan = closed_spline({{-0.75, -0.45},
-                                             {0.75, -0.45},
-                                             {0.78, 0.2},
-                                             {0.55, 0.6},
-                                             {0.2, 0.75},
-                                             {0.0, 1.15},
-                                             {-0.4, 1.4},
-                                             {-0.74, 1.2},
-                                             {-0.78, 0.4}},
-                                            5);
-    for (Point& p : plan) p.y *= length;
-    a.add(moved(turned_x(slab(plan, 0.3, 0.03, colour), -90), {0, 0.75, 0}));
-    a.add(moved(turned_z(moved(turned_x(slab(plan, 0.04, 0.012, colour), -90), {0.78, 0, 0}), 38), {-0.78, 0.93, 0}));
-    a.add(box({0, 0.75, 0.58}, {1.4, 0.12, 0.3}, 0.02, colour))
-        .add(box({0, 0.83, 0.58}, {1.3, 0.05, 0.24}, 0.01, kWhite));
-    for (int k = 0; k < 14; ++k)
-        if (k % 7 != 2 && k % 7 != 6) a.add(box({-0.58 + 0.09 * k, 0.865, 0.52}, {0.045, 0.04, 0.13}, 0.008, kInk));
-    for (const Vec3 foot : {Vec3{-0.65, 0, 0.4}, Vec3{0.65, 0, 0.4}, Vec3{-0.4, 0, -1.1 * length}})
-        a.add(cone(foot, foot + Vec3{0, 0.65, 0}, 0.04, 0.07, colour));
-    return a.mesh();
-}
-
-TriangleMesh upright_piano(Rgb colour, double height) {
-    Assembly a;
-    a.add(box({0, height / 2, -0.15}, {1.4, height, 0.4}, 0.03, colour))
-        .add(box({0, height + 0.02, -0.15}, {1.5, 0.06, 0.46}, 0.02, colour))
-        .add(box({0, 0.62, 0.18}, {1.4, 0.14, 0.34}, 0.03, colour))
-        .add(box({0, 0.7, 0.2}, {1.28, 0.05, 0.24}, 0.01, kWhite));
-    for (int k = 0; k < 14; ++k)
-        if (k % 7 != 2 && k % 7 != 6) a.add(box({-0.58 + 0.09 * k, 0.73, 0.14}, {0.045, 0.04, 0.13}, 0.008, kInk));
-    a.pair_x(cone({0.62, 0, 0.28}, {0.62, 0.58, 0.28}, 0.035, 0.055, colour))
-        .add(box({0, 0.95, 0.06}, {0.6, 0.3, 0.03}, 0.012, kCream));
-    return a.mesh();
-}
-
-void add_pianos(Models& models) {
-    add_model(models, "piano", "Grand piano", grand_piano(kInk, 1.0));
-    add_model(models, "piano", "Upright piano", upright_piano(kWalnut, 1.25));
-    add_model(models, "piano", "White grand piano", grand_piano(kCream, 0.7));
-    add_model(models, "piano", "Spinet", upright_piano(kHoney, 0.98));
-}
-
-TriangleMesh trumpet(double length, double bell, double loop_height, Rgb metal) {
-    Assembly a;
-    const double h = length / 2;
-    a.add(tube({{{h, 0, 0}, bell},
-                {{h - 0.06, 0, 0}, bell * 0.72},
-                {{h - 0.25, 0, 0}, bell * 0.3},
-                {{h - 0.6, 0, 0}, 0.05},
-                {{-h * 0.4, 0, 0}, 0.04},
-                {{-h * 0.62, -loop_height * 0.5, 0}, 0.04},
-                {{-h * 0.4, -loop_height, 0}, 0.04},
-                {{h * 0.25, -loop_height, 0}, 0.04},
-                {{h * 0.42, -loop_height * 0.5, 0}, 0.04},
-                {{h * 0.2, -loop_height * 0.12, 0}, 0.038}},
-               metal, {.sides = 18, .cap = Cap::Flat}));
-    a.add(tube({{{h * 0.1, -0.03, 0}, 0.035},
-                {{-h * 0.8, -0.03, 0}, 0.032},
-                {{-h, -0.03, 0}, 0.04},
-                {{-h - 0.06, -0.03, 0}, 0.06}},
-               metal, {.cap = Cap::Flat}));
-    for (int k = -1; k <= 1; ++k)
-        a.add(rod({0.12 * k, -loop_height * 1.15, 0.0}, {0.12 * k, 0.1, 0.0}, 0.05, metal, Cap::Flat))
-            .add(rod({0.12 * k, 0.1, 0}, {0.12 * k, 0.18, 0}, 0.02, kSteel))
-            .add(rod({0.12 * k, 0.17, 0}, {0.12 * k, 0.2, 0}, 0.042, kCream, Cap::Flat));
-    a.add(rod({h + 0.001, 0, 0}, {h + 0.003, 0, 0}, bell * 0.8, darker(metal, 0.4), Cap::Flat));
-    return a.mesh();
-}
-
-void add_trumpets(Models& models) {
-    add_model(models, "trumpet", "Trumpet", trumpet(1.6, 0.26, 0.28, kMustard));
-    add_model(models, "trumpet", "Silver trumpet", trumpet(1.8, 0.22, 0.2, kSteel));
-    add_model(models, "trumpet", "Cornet", trumpet(1.2, 0.25, 0.36, kBrass));
-    add_model(models, "trumpet", "Flugelhorn", trumpet(1.4, 0.36, 0.34, kHoney));
+void add_saxophones(Models& models) {
+    add_model(models, "saxophone", "Alto saxophone", saxophone({.length = 0.9, .bell = 0.24, .bore = 0.045}));
+    add_model(models, "saxophone", "Tenor saxophone",
+              saxophone({.length = 1.15, .bend = 0.24, .bell = 0.27, .neck = 0.4, .bore = 0.045, .metal = kHoney}));
+    add_model(models, "saxophone", "Silver saxophone",
+              saxophone({.length = 0.85, .bend = 0.28, .bell = 0.28, .neck = 0.22, .bore = 0.05, .metal = kSteel}));
+    add_model(models, "saxophone", "Baritone saxophone",
+              saxophone({.length = 1.0, .bend = 0.34, .bell = 0.34, .neck = 0.3, .bore = 0.06, .metal = kBrass}));
+    add_model(
+        models, "saxophone", "Toy saxophone",
+        saxophone(
+            {.length = 0.7, .bend = 0.22, .bell = 0.28, .neck = 0.16, .bore = 0.058, .keys = false, .metal = kCoral}));
 }
 
 }  // namespace
 
 void add_instruments(Models& models) {
     add_guitars(models);
-    add_violins(models);
-    add_drums(models);
-    add_pianos(models);
-    add_trumpets(models);
+    add_saxophones(models);
 }
 
 }  // namespace core::starter

@@ -1,4 +1,4 @@
-// Trees, flowers, mushrooms, cactuses and fruit.
+// Trees, flowers, mushrooms and fruit.
 
 #include <algorithm>
 #include <array>
@@ -24,30 +24,40 @@ TriangleMesh trunk(double height, double r, Rgb bark) {
                 bark, {.cap = Cap::Flat});
 }
 
-TriangleMesh leafy_tree(double trunk_height, double r, double crown_width, double crown_height, int clumps, Rgb leaf,
-                        Rgb bark, Rgb fruit = {0, 0, 0}) {
+struct LeafyTree {
+    double trunk = 0.7, r = 0.08, foot = 1.8;  ///< height and radius of the trunk; how much wider it is at the ground
+    double width = 0.62, height = 0.4;         ///< half sizes of the crown
+    int clumps = 7;
+    double clump = 0.3;  ///< radius
+    Rgb leaf = kGreen, bark = kWalnut;
+    bool fruit = false;
+};
+
+/// Flat, its crown a ring of clumps like the cloud that people draw.
+TriangleMesh leafy_tree(const LeafyTree& t) {
     Assembly a;
-    a.add(trunk(trunk_height + crown_height * 0.4, r, bark))
-        .pair_x(tube({{{0, trunk_height * 0.75, 0}, r * 0.6},
-                      {{crown_width * 0.4, trunk_height + crown_height * 0.3, 0.05}, r * 0.35}},
-                     bark));
-    Blob crown(0.1);
-    const Vec3 middle{0, trunk_height + crown_height * 0.55, 0};
-    crown.egg(middle, {crown_width * 0.7, crown_height * 0.45, crown_width * 0.65}, leaf);
-    for (int k = 0; k < clumps; ++k) {
-        const double up = 1.0 - 2.0 * (k + 0.5) / clumps, wide = std::sqrt(1.0 - up * up), turn = kGolden * k;
-        crown.egg(middle + Vec3{crown_width * 0.68 * wide * std::cos(turn), crown_height * 0.42 * up,
-                                crown_width * 0.62 * wide * std::sin(turn)},
-                  Vec3{1, 1, 1} * (crown_width * 0.36), k % 3 == 0 ? lighter(leaf, 0.15) : leaf);
+    const Vec3 middle{0, t.trunk + t.height * 0.9, 0};
+    a.add(tube({{{0, 0, 0}, t.r * t.foot},
+                {{0, t.trunk * 0.12, 0}, t.r * (0.5 + 0.5 * t.foot)},
+                {{0, t.trunk * 0.5, 0}, t.r},
+                {middle, t.r * 0.8}},
+               t.bark, {.cap = Cap::Flat}));
+    Blob crown(0.06);
+    crown.egg(middle, {t.width * 0.85, t.height * 0.85, t.clump}, t.leaf);
+    for (int k = 0; k < t.clumps; ++k) {
+        const double turn = kTurn * (k + 0.25) / t.clumps;
+        crown.egg(
+            middle + Vec3{t.width * 0.8 * std::cos(turn), t.height * 0.75 * std::sin(turn), 0.08 * (k % 2 * 2 - 1)},
+            Vec3{1, 1, 1} * t.clump, k % 3 == 0 ? lighter(t.leaf, 0.15) : t.leaf);
     }
-    a.add(crown.mesh(44));
-    if (!(fruit == Rgb{0, 0, 0}))
-        for (int k = 0; k < 16; ++k) {
-            const double up = 0.8 - 1.6 * (k + 0.5) / 16, wide = std::sqrt(1.0 - up * up), turn = kGolden * k + 0.7;
-            a.add(ball(middle + Vec3{crown_width * 1.0 * wide * std::cos(turn), crown_height * 0.62 * up,
-                                     crown_width * 0.94 * wide * std::sin(turn)},
-                       crown_width * 0.085, fruit, 8));
-        }
+    a.add(crown.mesh(48));
+    for (int k = 0; k < 14 && t.fruit; ++k) {
+        const double turn = kGolden * k, out = std::sqrt((k + 0.5) / 14.0);
+        for (const double side : {1.0, -1.0})
+            a.add(ball(middle + Vec3{t.width * 0.85 * out * std::cos(turn), t.height * 0.8 * out * std::sin(turn),
+                                     side * (t.clump + 0.06 * (1.0 - out))},
+                       0.055, kRed, 6));
+    }
     return a.mesh();
 }
 
@@ -70,92 +80,68 @@ TriangleMesh fir(int tiers, double height, double width, Rgb needle, bool snow) 
     return a.mesh();
 }
 
-TriangleMesh poplar(Rgb leaf) {
-    Assembly a;
-    a.add(trunk(0.6, 0.07, kWood))
-        .add(moved(lathe_smooth({{0, 0}, {0.2, 0.08}, {0.3, 0.45}, {0.24, 1.0}, {0.1, 1.45}, {0, 1.6}}, leaf, 28),
-                   {0, 0.3, 0}));
-    return a.mesh();
+void add_trees(Models& models) {
+    add_model(models, "tree", "Oak", leafy_tree({}));
+    add_model(
+        models, "tree", "Apple tree",
+        leafy_tree(
+            {.trunk = 0.6, .width = 0.5, .height = 0.42, .clumps = 6, .leaf = kLeaf, .bark = kWood, .fruit = true}));
+    add_model(models, "tree", "Cherry in bloom",
+              leafy_tree({.trunk = 0.8,
+                          .r = 0.04,
+                          .foot = 2.2,
+                          .width = 0.72,
+                          .height = 0.3,
+                          .clumps = 7,
+                          .clump = 0.27,
+                          .leaf = kPink,
+                          .bark = kCocoa}));
+    add_model(models, "tree", "Young tree",
+              leafy_tree({.trunk = 0.85,
+                          .r = 0.03,
+                          .foot = 1.6,
+                          .width = 0.5,
+                          .height = 0.36,
+                          .clumps = 5,
+                          .clump = 0.3,
+                          .leaf = kLeaf,
+                          .bark = kTan}));
+    add_model(models, "tree", "Broad tree",
+              leafy_tree({.trunk = 0.75,
+                          .r = 0.12,
+                          .foot = 2.4,
+                          .width = 0.8,
+                          .height = 0.34,
+                          .clumps = 8,
+                          .clump = 0.3,
+                          .leaf = kForest}));
+    add_model(models, "tree", "Fir tree", scaled(fir(4, 1.6, 0.55, kForest, false), {1.0, 1.0, 0.6}));
+    add_model(models, "tree", "Snowy fir", scaled(fir(3, 1.2, 0.6, kGreen, true), {1.0, 1.0, 0.6}));
 }
 
-void add_trees(Models& models) {
-    add_model(models, "tree", "Oak", leafy_tree(0.6, 0.1, 0.62, 0.85, 14, kGreen, kWalnut));
-    add_model(models, "tree", "Fir tree", fir(4, 1.6, 0.55, kForest, false));
-    add_model(models, "tree", "Apple tree", leafy_tree(0.5, 0.08, 0.5, 0.75, 12, kLeaf, kWood, kRed));
-    add_model(models, "tree", "Poplar", poplar(kLeaf));
-    add_model(models, "tree", "Snowy fir", fir(3, 1.2, 0.6, kGreen, true));
-    add_model(models, "tree", "Cherry in bloom", leafy_tree(0.7, 0.07, 0.7, 0.6, 16, kPink, kCocoa));
-    const auto palm = [](double height, double lean, int fronds, double reach, Rgb leaf, bool nuts) {
+void add_flowers_and_mushrooms(Models& models) {
+    const auto flower = [](int petals, double size, double petal_width, double stem, Rgb petal, Rgb eye, bool leaves) {
         Assembly a;
-        const auto at = [&](double t) { return Vec3{lean * t * t, height * t, 0}; };
-        std::vector<Station> line;
-        for (int k = 0; k <= 24; ++k)
-            line.push_back({at(k / 24.0), (0.1 - 0.045 * k / 24.0) * (k % 2 == 0 ? 1.0 : 0.88)});
-        a.add(tube(line, kTan, {.steps = 2}));
-        const Vec3 top = at(1.0);
-        for (int k = 0; k < fronds; ++k) {
-            const double turn = 360.0 * k / fronds + 10, rise = k % 2 == 0 ? 0.24 : 0.12;
-            a.add(moved(turned_y(tube({{{0, 0, 0}, 0.025, 0.05},
-                                       {{reach * 0.3, rise, 0}, 0.02, 0.12},
-                                       {{reach * 0.7, rise * 0.6, 0}, 0.018, 0.11},
-                                       {{reach, -0.16, 0}, 0.012, 0.02}},
-                                      k % 2 == 0 ? leaf : darker(leaf, 0.12), {.sides = 10}),
-                                 turn),
-                        top));
-        }
-        if (nuts)
-            for (int k = 0; k < 3; ++k)
-                a.add(
-                    ball(top + Vec3{0.09 * std::cos(kTurn * k / 3 + 0.5), -0.08, 0.09 * std::sin(kTurn * k / 3 + 0.5)},
-                         0.075, kCocoa, 10));
-        return a.mesh();
-    };
-    add_model(models, "palm tree", "Coconut palm", palm(1.4, 0.35, 9, 0.75, kLeaf, true));
-    add_model(models, "palm tree", "Straight palm", palm(1.7, 0.05, 11, 0.6, kGreen, false));
-    add_model(models, "palm tree", "Leaning palm", palm(1.1, 0.75, 8, 0.8, kTeal, true));
-    const auto cactus = [](double height, double r, const std::vector<std::array<double, 3>>& arms, Rgb skin, Rgb pot) {
-        Blob b(0.04);
-        b.limb({0, 0.1, 0}, {0, height, 0}, r, r * 0.9, skin);
-        for (const auto& [y, reach, up] : arms)
-            b.limb({0, y, 0}, {reach, y, 0}, r * 0.55, r * 0.58, skin)
-                .limb({reach, y, 0}, {reach, y + up, 0}, r * 0.6, r * 0.52, skin);
-        Assembly a;
-        a.add(b.mesh(56))
-            .add(ball({0, height + r * 0.95, 0}, {0.06, 0.045, 0.06}, kRose, 8))
-            .add(lathe({{0, -0.25},
-                        {0.2, -0.25},
-                        {0.26, 0.05},
-                        {0.3, 0.05},
-                        {0.3, 0.13},
-                        {0.24, 0.13},
-                        {0.23, 0.09},
-                        {0, 0.09}},
-                       pot, 28));
-        return a.mesh();
-    };
-    add_model(models, "cactus", "Cactus", cactus(0.95, 0.13, {{0.45, -0.32, 0.3}, {0.6, 0.3, 0.24}}, kGreen, kBrick));
-    add_model(models, "cactus", "Tall cactus",
-              cactus(1.3, 0.11, {{0.5, 0.3, 0.5}, {0.75, -0.28, 0.3}, {0.95, 0.24, 0.16}}, kTeal, kMustard));
-    add_model(models, "cactus", "Round cactus", cactus(0.42, 0.24, {{0.3, -0.38, 0.12}}, kLeaf, kCoral));
-    const auto flower = [](int petals, double size, double petal_width, double stem, Rgb petal, Rgb eye, double lean) {
-        Assembly a;
-        const Vec3 top{lean, stem, 0};
-        a.add(tube({{{0, 0, 0}, 0.028}, {{lean * 0.2, stem * 0.5, 0}, 0.026}, {top, 0.024}}, kLeaf));
+        const Vec3 top{0.04, stem, 0};
+        a.add(tube({{{0, 0, 0}, 0.022}, {{0.01, stem * 0.5, 0}, 0.02}, {top, 0.02}}, kLeaf));
         for (int k = 0; k < petals; ++k) {
             const double turn = 360.0 * k / petals;
             a.add(moved(
                 turned_z(ball({0, size * 0.62, 0.01 * (k % 2)}, {petal_width, size * 0.42, 0.045}, petal, 10), turn),
                 top));
         }
-        a.add(ball(top + Vec3{0, 0, 0.02}, {size * 0.32, size * 0.32, 0.09}, eye, 12));
-        a.add(ear_shape({lean * 0.15, stem * 0.3, 0}, {0.3, 0.2, 0.03}, 0.07, 0.018, Ear::Round, kGreen))
-            .add(ear_shape({lean * 0.1, stem * 0.2, 0}, {-0.3, 0.22, -0.03}, 0.07, 0.018, Ear::Round, kGreen));
+        a.add(ball(top + Vec3{0, 0, 0.02}, {size * 0.34, size * 0.34, 0.09}, eye, 12));
+        if (leaves)
+            a.add(ear_shape({0.01, stem * 0.3, 0}, {0.24, 0.16, 0.03}, 0.06, 0.018, Ear::Round, kGreen))
+                .add(ear_shape({0.01, stem * 0.2, 0}, {-0.24, 0.18, -0.03}, 0.06, 0.018, Ear::Round, kGreen));
         return a.mesh();
     };
-    add_model(models, "flower", "Daisy", flower(10, 0.36, 0.075, 1.0, kWhite, kMustard, 0.06));
-    add_model(models, "flower", "Poppy", flower(5, 0.36, 0.2, 0.95, kRed, kInk, -0.08));
-    add_model(models, "flower", "Sunflower", flower(16, 0.46, 0.075, 1.3, kMustard, kCocoa, 0.0));
-    add_model(models, "flower", "Forget-me-not", flower(5, 0.28, 0.13, 0.65, kSky, kStraw, 0.1));
+    add_model(models, "flower", "Daisy", flower(8, 0.44, 0.13, 1.0, kWhite, kMustard, true));
+    add_model(models, "flower", "Poppy", flower(5, 0.46, 0.25, 0.95, kRed, kInk, false));
+    add_model(models, "flower", "Sunflower", flower(12, 0.5, 0.1, 1.25, kMustard, kCocoa, true));
+    add_model(models, "flower", "Forget-me-not", flower(5, 0.42, 0.2, 0.8, kSky, kStraw, false));
+    add_model(models, "flower", "Cosmos", flower(6, 0.5, 0.18, 0.85, kLilac, kStraw, false));
+    add_model(models, "flower", "Four-petalled flower", flower(4, 0.45, 0.22, 1.1, kRose, kMustard, false));
     Assembly tulip;
     tulip.add(tube({{{0, 0, 0}, 0.028}, {{0.03, 0.5, 0}, 0.026}, {{0.0, 0.95, 0}, 0.026}}, kLeaf))
         .add(moved(
@@ -194,12 +180,14 @@ void add_trees(Models& models) {
             a.add(ball({r * std::cos(turn) * 0.97, stem + y, r * std::sin(turn) * 0.97}, {0.055, 0.035, 0.055}, kWhite,
                        8));
         }
-        return a.mesh();
+        return scaled(a.mesh(), {1.0, 1.0, 0.7});
     };
     add_model(models, "mushroom", "Fly agaric", mushroom(0.6, 0.12, 0.42, 0.34, kRed, true));
     add_model(models, "mushroom", "Porcini", mushroom(0.5, 0.22, 0.38, 0.26, kChestnut, false));
     add_model(models, "mushroom", "Parasol mushroom", mushroom(0.95, 0.08, 0.5, 0.2, kTan, true));
     add_model(models, "mushroom", "Bell mushroom", mushroom(0.75, 0.08, 0.26, 0.42, kLilac, false));
+    add_model(models, "mushroom", "Button mushroom", mushroom(0.4, 0.16, 0.36, 0.36, kSand, false));
+    add_model(models, "mushroom", "Stout toadstool", mushroom(0.55, 0.17, 0.5, 0.4, kCoral, true));
 }
 
 TriangleMesh fruit_body(const std::vector<Point>& profile, Rgb colour, Rgb blush, double stalk, bool leaf) {
@@ -213,33 +201,25 @@ TriangleMesh fruit_body(const std::vector<Point>& profile, Rgb colour, Rgb blush
     a.add(tube({{{0, dent - 0.04, 0}, 0.022}, {{0.02, dent + stalk * 0.6, 0}, 0.02}, {{0.06, dent + stalk, 0}, 0.028}},
                kCocoa));
     if (leaf) a.add(ear_shape({0.03, dent + stalk * 0.5, 0}, {0.3, 0.14, 0.03}, 0.075, 0.018, Ear::Round, kLeaf));
-    return a.mesh();
+    return scaled(a.mesh(), {1.0, 1.0, 0.7});
 }
 
 void add_fruit(Models& models) {
     add_model(models, "apple", "Red apple",
-              fruit_body({{0, 0.03}, {0.14, 0.0}, {0.38, 0.2}, {0.46, 0.52}, {0.36, 0.78}, {0.16, 0.82}, {0, 0.72}},
-                         kRed, kStraw, 0.24, true));
+              fruit_body({{0, 0.03}, {0.14, 0.0}, {0.38, 0.2}, {0.46, 0.52}, {0.38, 0.78}, {0.2, 0.83}, {0, 0.64}},
+                         kRed, kStraw, 0.34, true));
     add_model(models, "apple", "Green apple",
-              fruit_body({{0, 0.03}, {0.16, 0.0}, {0.44, 0.18}, {0.5, 0.45}, {0.38, 0.66}, {0.16, 0.7}, {0, 0.6}},
-                         kLeaf, kStraw, 0.2, false));
+              fruit_body({{0, 0.03}, {0.16, 0.0}, {0.44, 0.18}, {0.5, 0.45}, {0.4, 0.66}, {0.2, 0.71}, {0, 0.54}},
+                         kLeaf, kStraw, 0.36, false));
     add_model(models, "apple", "Tall apple",
               fruit_body({{0, 0.03}, {0.12, 0.0}, {0.3, 0.2}, {0.42, 0.6}, {0.36, 0.88}, {0.15, 0.92}, {0, 0.82}},
                          kWine, kCoral, 0.28, true));
-    add_model(
-        models, "pear", "Pear",
-        fruit_body(
-            {{0, 0.02}, {0.15, 0.0}, {0.4, 0.2}, {0.42, 0.42}, {0.26, 0.72}, {0.17, 0.95}, {0.1, 1.04}, {0, 1.02}},
-            kStraw, kLeaf, 0.22, true));
-    add_model(
-        models, "pear", "Red pear",
-        fruit_body(
-            {{0, 0.02}, {0.14, 0.0}, {0.34, 0.18}, {0.38, 0.4}, {0.2, 0.75}, {0.15, 1.1}, {0.08, 1.18}, {0, 1.16}},
-            kBrick, kMustard, 0.18, false));
-    add_model(
-        models, "pear", "Round pear",
-        fruit_body({{0, 0.02}, {0.2, 0.0}, {0.46, 0.2}, {0.47, 0.46}, {0.3, 0.72}, {0.18, 0.84}, {0.1, 0.9}, {0, 0.88}},
-                   kOlive, kStraw, 0.26, true));
+    add_model(models, "apple", "Wide apple",
+              fruit_body({{0, 0.06}, {0.2, 0.0}, {0.48, 0.2}, {0.56, 0.5}, {0.42, 0.74}, {0.2, 0.78}, {0, 0.6}}, kCoral,
+                         kStraw, 0.34, false));
+    add_model(models, "apple", "Crab apple",
+              fruit_body({{0, 0.03}, {0.14, 0.0}, {0.36, 0.22}, {0.42, 0.46}, {0.32, 0.68}, {0.14, 0.7}, {0, 0.62}},
+                         kMustard, kRed, 0.44, true));
     const auto banana = [](double curve, double r, double length, Rgb colour) {
         std::vector<Station> line;
         const std::vector<double> widths{0.2, 0.32, 0.72, 1.0, 1.05, 0.95, 0.6, 0.25};
@@ -255,6 +235,8 @@ void add_fruit(Models& models) {
     add_model(models, "banana", "Banana", banana(1.8, 0.15, 1.3, kMustard));
     add_model(models, "banana", "Curved banana", banana(2.6, 0.14, 1.5, kStraw));
     add_model(models, "banana", "Green banana", banana(1.2, 0.16, 1.2, kLeaf));
+    add_model(models, "banana", "Slender banana", banana(1.6, 0.1, 1.4, kStraw));
+    add_model(models, "banana", "Fat banana", banana(2.0, 0.2, 1.3, kHoney));
     const auto carrot = [](double length, double r, int leaves, double spread, Rgb colour) {
         Assembly a;
         a.add(tube({{{0, 0, 0}, 0.015},
@@ -275,6 +257,8 @@ void add_fruit(Models& models) {
     add_model(models, "carrot", "Carrot", carrot(1.0, 0.17, 5, 0.5, kOrange));
     add_model(models, "carrot", "Stubby carrot", carrot(0.62, 0.22, 3, 0.4, kCoral));
     add_model(models, "carrot", "Purple carrot", carrot(1.25, 0.14, 4, 0.7, kPlum));
+    add_model(models, "carrot", "Spring carrot", carrot(0.9, 0.13, 2, 0.3, kOrange));
+    add_model(models, "carrot", "Bushy carrot", carrot(0.85, 0.2, 7, 0.6, kHoney));
     const auto pineapple = [](double height, double r, int leaves, double crown) {
         Assembly a;
         a.add(painted(lathe_smooth({{0, 0},
@@ -297,17 +281,20 @@ void add_fruit(Models& models) {
                                  137.5 * k),
                         {0, height, 0}));
         }
-        return a.mesh();
+        return scaled(a.mesh(), {1.0, 1.0, 0.7});
     };
     add_model(models, "pineapple", "Pineapple", pineapple(0.8, 0.34, 14, 0.45));
     add_model(models, "pineapple", "Slim pineapple", pineapple(1.0, 0.28, 12, 0.6));
     add_model(models, "pineapple", "Baby pineapple", pineapple(0.5, 0.27, 10, 0.4));
+    add_model(models, "pineapple", "Tall-crowned pineapple", pineapple(0.7, 0.3, 12, 0.75));
+    add_model(models, "pineapple", "Wide pineapple", pineapple(0.66, 0.38, 16, 0.36));
 }
 
 }  // namespace
 
 void add_plants(Models& models) {
     add_trees(models);
+    add_flowers_and_mushrooms(models);
     add_fruit(models);
 }
 

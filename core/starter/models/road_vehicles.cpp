@@ -1,4 +1,4 @@
-// Cars, buses, trucks, tractors, trains and bicycles.
+// Cars, buses and bicycles. They are built narrow, like toys, so that the side is what one sees of them.
 
 #include <cmath>
 #include <numbers>
@@ -68,8 +68,9 @@ TriangleMesh car(const Car& c) {
         .pair(ball({tail + 0.02, nose_y + 0.08, c.width * 0.34}, {0.04, 0.05, 0.07}, kRed, 8));
     a.add(box({nose - 0.02, 0.22, 0}, {0.08, 0.09, c.width * 0.9}, 0.035, kSteel))
         .add(box({tail + 0.02, 0.22, 0}, {0.08, 0.09, c.width * 0.9}, 0.035, kSteel));
-    for (const double x : {c.front, c.rear}) a.pair(wheel({x, c.wheel, c.width / 2 - 0.04}, c.wheel, 0.16));
-    return facing_front(a.mesh());
+    for (const double x : {c.front, c.rear})
+        a.pair(wheel({x, c.wheel * 0.85, c.width / 2 - 0.03}, c.wheel * 1.15, 0.18));
+    return narrow(a.mesh(), 0.35);
 }
 
 void add_cars(Models& models) {
@@ -158,7 +159,7 @@ void add_cars(Models& models) {
 
 TriangleMesh bus(double length, double height, int windows, Rgb paint, bool snout, bool double_deck) {
     Assembly a;
-    const double h = length / 2, deck = 0.22;
+    const double h = length / 2, deck = 0.26;
     const double back = snout ? h - 0.42 : h;
     a.add(box_between({-h, deck, -0.38}, {back, deck + height, 0.38}, 0.09, paint));
     if (snout) a.add(box_between({back - 0.1, deck, -0.34}, {h, deck + height * 0.46, 0.34}, 0.08, paint));
@@ -173,60 +174,16 @@ TriangleMesh bus(double length, double height, int windows, Rgb paint, bool snou
         }
     a.pair(box({0, deck + height * 0.2, 0.38}, {length * 0.9, 0.05, 0.02}, 0.008, darker(paint, 0.45)));
     a.pair(ball({h, deck + 0.16, 0.26}, {0.03, 0.06, 0.06}, kCream, 8));
-    for (const double x : {h * 0.62, -h * 0.6}) a.pair(wheel({x, 0.2, 0.32}, 0.2, 0.16));
-    return facing_front(a.mesh());
+    for (const double x : {h * 0.62, -h * 0.6}) a.pair(wheel({x, 0.17, 0.34}, 0.23, 0.18));
+    return narrow(a.mesh(), 0.4);
 }
 
 void add_buses(Models& models) {
     add_model(models, "bus", "City bus", bus(2.3, 0.8, 6, kCoral, false, false));
     add_model(models, "bus", "Double-decker", bus(1.9, 1.25, 5, kRed, false, true));
     add_model(models, "bus", "Minibus", bus(1.5, 0.75, 3, kTeal, true, false));
-    add_model(models, "bus", "Long coach", bus(3.0, 0.85, 8, kNavy, false, false));
-    add_model(models, "school bus", "School bus", bus(2.4, 0.85, 6, kMustard, true, false));
-    add_model(models, "school bus", "Short school bus", bus(1.8, 0.85, 4, kMustard, true, false));
-    add_model(models, "school bus", "Old school bus", bus(2.7, 0.72, 7, kStraw, true, false));
-}
-
-/// A cab over the front wheels, x from `from` to `to`.
-void add_cab(Assembly& a, double from, double to, double height, Rgb paint, double nose) {
-    a.add(box_between({from, 0.24, -0.4}, {to - nose, 0.24 + height, 0.4}, 0.07, paint));
-    if (nose > 0) a.add(box_between({to - nose - 0.1, 0.24, -0.36}, {to, 0.24 + height * 0.5, 0.36}, 0.07, paint));
-    a.add(box_between({to - nose - 0.05, 0.24 + height * 0.52, -0.33}, {to - nose + 0.012, 0.24 + height * 0.88, 0.33},
-                      0.03, kGlass));
-    a.pair(box({(from + to - nose) / 2 + 0.03, 0.24 + height * 0.7, 0.395},
-               {(to - nose - from) * 0.6, height * 0.32, 0.03}, 0.012, kGlass));
-    a.pair(ball({to, 0.4, 0.28}, {0.03, 0.06, 0.06}, kCream, 8))
-        .add(box({to, 0.26, 0}, {0.1, 0.1, 0.78}, 0.03, kSteel));
-}
-
-void add_trucks(Models& models) {
-    const auto truck = [](double cargo, double height, double nose, Rgb cab, Rgb load, int axles) {
-        Assembly a;
-        const double start = -cargo;
-        a.add(box_between({start, 0.24, -0.3}, {0.7, 0.34, 0.3}, 0.03, kSlate));
-        add_cab(a, 0.12, 0.72 + nose, 0.72, cab, nose);
-        a.add(box_between({start, 0.34, -0.42}, {0.02, 0.34 + height, 0.42}, 0.04, load));
-        a.pair(wheel({0.5 + nose * 0.6, 0.2, 0.33}, 0.2, 0.17));
-        for (int k = 0; k < axles; ++k) a.pair(wheel({start + 0.32 + 0.46 * k, 0.2, 0.33}, 0.2, 0.17));
-        return facing_front(a.mesh());
-    };
-    add_model(models, "truck", "Delivery truck", truck(1.2, 0.95, 0.0, kTeal, kCream, 1));
-    add_model(models, "truck", "Long-haul truck", truck(2.2, 1.05, 0.45, kRed, kSteel, 3));
-    add_model(models, "truck", "Small van truck", truck(0.9, 0.7, 0.25, kMustard, kMustard, 1));
-    Assembly dumper;
-    dumper.add(box_between({-1.2, 0.26, -0.3}, {0.7, 0.38, 0.3}, 0.03, kSlate));
-    add_cab(dumper, 0.2, 0.95, 0.75, kOrange, 0.25);
-    dumper.add(slab({{-1.35, 0.85}, {-1.1, 0.42}, {0.0, 0.42}, {0.1, 1.05}, {0.3, 1.05}, {0.3, 1.12}, {0.02, 1.12}},
-                    0.86, 0.03, kHoney));
-    for (const double x : {0.58, -0.45, -0.95}) dumper.pair(wheel({x, 0.24, 0.33}, 0.24, 0.2));
-    add_model(models, "truck", "Dump truck", facing_front(dumper.mesh()));
-    Assembly tanker;
-    tanker.add(box_between({-1.6, 0.26, -0.28}, {0.7, 0.36, 0.28}, 0.03, kSlate));
-    add_cab(tanker, 0.15, 0.95, 0.75, kBlue, 0.25);
-    tanker.add(tube({{{-1.6, 0.74, 0}, 0.36, 0.4}, {{0.05, 0.74, 0}, 0.36, 0.4}}, kSteel, {.sides = 24}))
-        .add(rod({-0.8, 1.05, 0}, {-0.8, 1.18, 0}, 0.12, kSlate, Cap::Flat));
-    for (const double x : {0.58, -0.95, -1.38}) tanker.pair(wheel({x, 0.21, 0.33}, 0.21, 0.18));
-    add_model(models, "truck", "Tanker", facing_front(tanker.mesh()));
+    add_model(models, "bus", "Long coach", bus(2.7, 0.85, 7, kNavy, false, false));
+    add_model(models, "bus", "School bus", bus(2.2, 0.85, 5, kMustard, true, false));
 }
 
 struct Bicycle {
@@ -289,15 +246,15 @@ TriangleMesh bicycle(const Bicycle& b) {
     if (b.basket)
         a.add(moved(lathe({{0, 0}, {0.12, 0}, {0.17, 0.2}, {0.15, 0.2}, {0.1, 0.02}, {0, 0.02}}, kHoney, 20),
                     stem + Vec3{0.2, -0.14, 0}));
-    return facing_front(a.mesh());
+    return narrow(a.mesh(), 0.7);
 }
 
 void add_bicycles(Models& models) {
-    add_model(models, "bicycle", "City bicycle", bicycle({}));
+    add_model(models, "bicycle", "City bicycle", bicycle({.wheel = 0.3, .front_wheel = 0.3, .base = 1.1}));
     add_model(models, "bicycle", "Racing bicycle",
-              bicycle({.wheel = 0.35,
-                       .front_wheel = 0.35,
-                       .base = 1.0,
+              bicycle({.wheel = 0.31,
+                       .front_wheel = 0.31,
+                       .base = 1.1,
                        .seat = 0.96,
                        .bar = 0.92,
                        .drop_bar = true,
@@ -305,32 +262,32 @@ void add_bicycles(Models& models) {
                        .frame = kRed,
                        .saddle = kInk}));
     add_model(models, "bicycle", "Shopper with basket",
-              bicycle({.wheel = 0.32,
-                       .front_wheel = 0.32,
-                       .base = 1.06,
+              bicycle({.wheel = 0.26,
+                       .front_wheel = 0.26,
+                       .base = 1.1,
                        .seat = 0.82,
                        .bar = 1.02,
                        .basket = true,
                        .frame = kMint,
                        .saddle = kHoney}));
     add_model(models, "bicycle", "Mountain bike",
-              bicycle({.wheel = 0.36,
-                       .front_wheel = 0.36,
-                       .base = 1.12,
-                       .seat = 0.85,
+              bicycle({.wheel = 0.31,
+                       .front_wheel = 0.31,
+                       .base = 1.2,
+                       .seat = 0.82,
                        .bar = 0.9,
                        .tyre = 0.05,
                        .frame = kOrange,
                        .saddle = kInk}));
-    add_model(models, "bicycle", "Penny-farthing",
-              bicycle({.wheel = 0.18,
-                       .front_wheel = 0.62,
-                       .base = 1.15,
-                       .seat = 1.3,
-                       .bar = 1.42,
-                       .tyre = 0.02,
-                       .frame = kNavy,
-                       .saddle = kWalnut}));
+    add_model(models, "bicycle", "Folding bicycle",
+              bicycle({.wheel = 0.21,
+                       .front_wheel = 0.21,
+                       .base = 1.0,
+                       .seat = 0.86,
+                       .bar = 0.98,
+                       .tyre = 0.03,
+                       .frame = kPlum,
+                       .saddle = kSlate}));
 }
 
 }  // namespace
@@ -338,7 +295,6 @@ void add_bicycles(Models& models) {
 void add_road_vehicles(Models& models) {
     add_cars(models);
     add_buses(models);
-    add_trucks(models);
     add_bicycles(models);
 }
 

@@ -1,4 +1,4 @@
-// Mugs, teapots, glasses, bottles, vases, pans and cutlery.
+// Mugs, teapots, glasses, bottles, pans and cutlery.
 
 #include <cmath>
 
@@ -49,7 +49,7 @@ void add_mugs(Models& models) {
             if (p.y <= high) x_high = p.x;
         }
         join(m, handle(x_low, low, x_high, high, reach, r, lighter(colour, 0.15)));
-        return m;
+        return scaled(m, {1.0, 1.0, 0.75});
     };
     add_model(models, "mug", "Mug",
               mug({{0.38, 0}, {0.4, 0.02}, {0.4, 0.5}, {0.4, 0.9}}, 0.2, 0.72, 0.26, 0.05, kCoral, kCocoa, 0.78, 0.37));
@@ -65,31 +65,15 @@ void add_mugs(Models& models) {
     add_model(models, "mug", "Farmhouse mug",
               mug({{0.44, 0}, {0.42, 0.1}, {0.34, 0.45}, {0.36, 0.8}, {0.42, 0.98}}, 0.2, 0.76, 0.3, 0.06, kCream,
                   kBrick, 0.84, 0.33));
-
-    const auto cup = [](double width, double height, double reach, Rgb colour, Rgb drink) {
-        TriangleMesh m = filled(vessel({{width * 0.45, 0.09},
-                                        {width * 0.75, 0.09 + height * 0.3},
-                                        {width * 0.95, 0.09 + height * 0.75},
-                                        {width, 0.09 + height}},
-                                       0.035, colour),
-                                width * 0.91, 0.09 + height * 0.82, drink);
-        join(m, handle(width * 0.72, 0.09 + height * 0.32, width * 0.94, 0.09 + height * 0.8, reach, 0.038, colour));
-        join(
-            m,
-            lathe({{0, 0}, {width * 0.7, 0}, {width * 1.55, 0.1}, {width * 1.6, 0.13}, {width * 0.75, 0.06}, {0, 0.06}},
-                  lighter(colour), 40));
-        return m;
-    };
-    add_model(models, "coffee cup", "Cup and saucer", cup(0.4, 0.5, 0.18, kSky, kCocoa));
-    add_model(models, "coffee cup", "Wide teacup", cup(0.5, 0.38, 0.2, kPink, kHoney));
-    add_model(models, "coffee cup", "Espresso cup", cup(0.34, 0.6, 0.14, kWhite, kInk));
-    add_model(models, "coffee cup", "Breakfast bowl cup", cup(0.6, 0.62, 0.24, kMint, kSand));
-    add_model(models, "coffee cup", "Chocolate cup", cup(0.36, 0.78, 0.26, kLilac, kWalnut));
+    add_model(models, "mug", "Teacup",
+              mug({{0.2, 0}, {0.34, 0.16}, {0.46, 0.42}, {0.5, 0.6}}, 0.18, 0.5, 0.22, 0.04, kSky, kHoney, 0.5, 0.44));
+    add_model(models, "mug", "Espresso cup",
+              mug({{0.22, 0}, {0.3, 0.1}, {0.36, 0.4}, {0.38, 0.62}}, 0.16, 0.5, 0.2, 0.042, kWhite, kInk, 0.52, 0.33));
 }
 
 struct Teapot {
-    std::vector<Point> body{{0.25, 0}, {0.48, 0.15}, {0.58, 0.42}, {0.45, 0.68}, {0.24, 0.78}};
-    double spout_low = 0.25, spout_high = 0.72, spout_reach = 0.42;
+    std::vector<Point> body{{0.28, 0}, {0.46, 0.14}, {0.52, 0.44}, {0.4, 0.74}, {0.22, 0.84}};
+    double spout_low = 0.25, spout_high = 0.84, spout_reach = 0.46;
     bool hoop = false;  ///< a handle over the lid
     Rgb colour = kTeal, accent = kBrass;
 };
@@ -122,7 +106,7 @@ TriangleMesh teapot(const Teapot& t) {
                    t.accent, {.steps = 10}));
     else
         a.add(mirrored_x(handle(side * 0.9, top * 0.28, side * 0.75, top * 0.82, 0.3, 0.05, t.accent)));
-    return a.mesh();
+    return scaled(a.mesh(), {1.0, 1.0, 0.45});  // flat: spout and handle are what one sees
 }
 
 void add_teapots(Models& models) {
@@ -142,19 +126,25 @@ void add_teapots(Models& models) {
                       .hoop = true,
                       .colour = kSlate,
                       .accent = kWalnut}));
-    add_model(models, "teapot", "Kettle",
-              teapot({.body = {{0.5, 0}, {0.55, 0.05}, {0.5, 0.4}, {0.34, 0.7}, {0.2, 0.76}},
-                      .spout_low = 0.28,
-                      .spout_high = 0.74,
-                      .spout_reach = 0.34,
-                      .hoop = true,
+    add_model(models, "teapot", "Round teapot",
+              teapot({.body = {{0.22, 0}, {0.44, 0.14}, {0.5, 0.46}, {0.38, 0.76}, {0.2, 0.86}},
+                      .spout_low = 0.3,
+                      .spout_high = 0.86,
+                      .spout_reach = 0.46,
                       .colour = kRed,
                       .accent = kInk}));
+    add_model(models, "teapot", "Kettle",
+              teapot({.body = {{0.5, 0}, {0.55, 0.05}, {0.5, 0.4}, {0.34, 0.66}, {0.24, 0.7}},
+                      .spout_low = 0.2,
+                      .spout_high = 0.8,
+                      .spout_reach = 0.4,
+                      .colour = kMint,
+                      .accent = kSlate}));
     add_model(models, "teapot", "Little teapot",
-              teapot({.body = {{0.2, 0}, {0.42, 0.12}, {0.52, 0.38}, {0.42, 0.62}, {0.2, 0.7}},
-                      .spout_low = 0.22,
-                      .spout_high = 0.5,
-                      .spout_reach = 0.3,
+              teapot({.body = {{0.26, 0}, {0.42, 0.12}, {0.46, 0.38}, {0.36, 0.62}, {0.2, 0.7}},
+                      .spout_low = 0.2,
+                      .spout_high = 0.66,
+                      .spout_reach = 0.4,
                       .colour = kCream,
                       .accent = kRose}));
 }
@@ -201,37 +191,11 @@ void add_glasses(Models& models) {
                     cap, 24));
         return a.mesh();
     };
-    add_model(models, "wine bottle", "Wine bottle", bottle(0.26, 0.85, 0.25, 0.45, kForest, kCream, kWine));
-    add_model(models, "wine bottle", "Burgundy bottle", bottle(0.3, 0.62, 0.55, 0.35, kOlive, kIvory, kBrass));
-    add_model(models, "wine bottle", "Hock bottle", bottle(0.22, 0.7, 0.7, 0.35, kTeal, kWhite, kNavy));
-    add_model(models, "wine bottle", "Stout bottle", bottle(0.34, 0.6, 0.25, 0.3, kChestnut, kMustard, kInk));
-    add_model(models, "wine bottle", "Oil bottle", bottle(0.2, 1.0, 0.16, 0.5, kLeaf, kCream, kWalnut));
-}
-
-void add_vases(Models& models) {
-    const auto vase = [](const std::vector<Point>& outside, Rgb colour, Rgb band, double low, double high) {
-        return painted(vessel(outside, 0.04, colour, 10),
-                       [=](Vec3 p, Rgb c) { return p.y > low && p.y < high ? band : c; });
-    };
-    add_model(
-        models, "vase", "Round vase",
-        vase({{0.22, 0}, {0.4, 0.2}, {0.46, 0.48}, {0.3, 0.8}, {0.17, 0.95}, {0.25, 1.1}}, kBlue, kCream, 0.4, 0.55));
-    add_model(models, "vase", "Tall vase",
-              vase({{0.2, 0}, {0.26, 0.35}, {0.32, 0.85}, {0.2, 1.15}, {0.22, 1.3}}, kCoral, kWine, 0.8, 0.95));
-    add_model(models, "vase", "Trumpet vase",
-              vase({{0.26, 0}, {0.14, 0.25}, {0.16, 0.6}, {0.3, 1.0}, {0.44, 1.15}}, kLilac, kPlum, 0.2, 0.32));
-    TriangleMesh amphora =
-        vase({{0.14, 0}, {0.26, 0.2}, {0.42, 0.62}, {0.34, 0.9}, {0.13, 1.05}, {0.13, 1.25}, {0.2, 1.32}}, kBrick, kInk,
-             0.6, 0.75);
-    for (const double side : {1.0, -1.0}) {
-        TriangleMesh h = tube(
-            {{{0.37, 0.8, 0}, 0.035}, {{0.48, 1.0, 0}, 0.035}, {{0.36, 1.2, 0}, 0.035}, {{0.12, 1.2, 0}, 0.035}}, kInk);
-        join(amphora, side > 0 ? h : mirrored_x(h));
-    }
-    add_model(models, "vase", "Amphora", std::move(amphora));
-    add_model(
-        models, "vase", "Bud vase",
-        vase({{0.3, 0}, {0.34, 0.15}, {0.24, 0.4}, {0.09, 0.6}, {0.08, 0.95}, {0.12, 1.02}}, kMint, kTeal, 0.1, 0.22));
+    add_model(models, "wine bottle", "Wine bottle", bottle(0.27, 0.8, 0.22, 0.38, kForest, kCream, kWine));
+    add_model(models, "wine bottle", "Burgundy bottle", bottle(0.32, 0.55, 0.42, 0.3, kOlive, kIvory, kBrass));
+    add_model(models, "wine bottle", "Hock bottle", bottle(0.22, 0.7, 0.6, 0.3, kTeal, kWhite, kNavy));
+    add_model(models, "wine bottle", "Stout bottle", bottle(0.36, 0.62, 0.2, 0.28, kChestnut, kMustard, kInk));
+    add_model(models, "wine bottle", "Round flask", bottle(0.42, 0.42, 0.3, 0.36, kLeaf, kCream, kWalnut));
 }
 
 void add_cutlery(Models& models) {
@@ -264,24 +228,24 @@ void add_cutlery(Models& models) {
         }
         return a.mesh();
     };
-    add_model(models, "fork", "Fork", fork(4, 0.36, 0.15, 1.0, kSteel, kSteel));
-    add_model(models, "fork", "Dessert fork", fork(3, 0.3, 0.13, 0.8, kBrass, kBrass));
+    add_model(models, "fork", "Fork", fork(4, 0.36, 0.18, 0.85, kSteel, kSteel));
+    add_model(models, "fork", "Dessert fork", fork(3, 0.34, 0.17, 0.7, kBrass, kBrass));
     add_model(models, "fork", "Carving fork", fork(2, 0.55, 0.12, 0.9, kSteel, kWalnut));
-    add_model(models, "fork", "Picnic fork", fork(3, 0.34, 0.17, 0.75, kCoral, kCoral));
+    add_model(models, "fork", "Picnic fork", fork(3, 0.38, 0.22, 0.6, kCoral, kCoral));
     add_model(models, "fork", "Wooden-handled fork", fork(4, 0.3, 0.18, 1.15, kSteel, kHoney));
-    const auto spoon = [&](double wide, double high, double length, Rgb metal, Rgb grip_colour) {
+    const auto spoon = [&](double wide, double high, double length, double broad, Rgb metal, Rgb grip_colour) {
         Assembly a;
-        a.add(grip(length, 0.055, grip_colour))
-            .add(tube({{{0, 0, 0}, 0.03, 0.025}, {{0, 0.2, 0}, 0.03, 0.025}}, metal));
+        a.add(grip(length, broad, grip_colour))
+            .add(tube({{{0, 0, 0}, 0.034, 0.025}, {{0, 0.2, 0}, 0.05, 0.03}}, metal));
         a.add(ball({0, 0.16 + high, 0}, {wide, high, 0.06}, metal, 16))
             .add(ball({0, 0.16 + high, 0.035}, {wide * 0.8, high * 0.82, 0.035}, darker(metal, 0.15), 14));
         return a.mesh();
     };
-    add_model(models, "spoon", "Spoon", spoon(0.17, 0.26, 1.0, kSteel, kSteel));
-    add_model(models, "spoon", "Soup spoon", spoon(0.24, 0.26, 0.85, kBrass, kBrass));
-    add_model(models, "spoon", "Wooden spoon", spoon(0.16, 0.24, 1.35, kHoney, kHoney));
-    add_model(models, "spoon", "Ladle", spoon(0.3, 0.28, 1.25, kSlate, kRed));
-    add_model(models, "spoon", "Baby spoon", spoon(0.15, 0.2, 0.6, kSteel, kMint));
+    add_model(models, "spoon", "Spoon", spoon(0.2, 0.3, 0.85, 0.07, kSteel, kSteel));
+    add_model(models, "spoon", "Soup spoon", spoon(0.28, 0.32, 0.75, 0.075, kBrass, kBrass));
+    add_model(models, "spoon", "Wooden spoon", spoon(0.18, 0.26, 1.2, 0.05, kHoney, kHoney));
+    add_model(models, "spoon", "Dessert spoon", spoon(0.24, 0.38, 0.7, 0.09, kSlate, kRed));
+    add_model(models, "spoon", "Baby spoon", spoon(0.19, 0.25, 0.5, 0.085, kSteel, kMint));
 }
 
 void add_pans(Models& models) {
@@ -299,7 +263,7 @@ void add_pans(Models& models) {
             a.add(moved(turned_x(slab(white, 0.04, 0.015, kWhite), -90), {0, 0.06, 0}));
             a.add(ball({0, 0.09, 0}, {0.1, 0.06, 0.1}, kMustard));
         }
-        return turned_x(a.mesh(), 55);
+        return turned_x(scaled(a.mesh(), {1.0, 0.7, 1.0}), 72);
     };
     add_model(models, "frying pan", "Frying pan", pan(0.5, 0.12, 0.8, kInk, kWalnut, true));
     add_model(models, "frying pan", "Copper pan", pan(0.46, 0.24, 0.75, kHoney, kBrass, false));
@@ -314,7 +278,6 @@ void add_tableware(Models& models) {
     add_mugs(models);
     add_teapots(models);
     add_glasses(models);
-    add_vases(models);
     add_cutlery(models);
     add_pans(models);
 }

@@ -155,11 +155,11 @@ void add_umbrellas(Models& models) {
                 .add(ball({0, -shaft - 0.08, 0}, 0.06, kHoney));
         return a.mesh();
     };
-    add_model(models, "umbrella", "Red umbrella", umbrella(0.75, 0.42, 0.75, true, kRed, kCoral, 0.1));
+    add_model(models, "umbrella", "Red umbrella", umbrella(0.7, 0.52, 0.75, true, kRed, kCoral, 0.1));
     add_model(models, "umbrella", "Parasol", umbrella(0.85, 0.3, 0.9, false, kCream, kRose, 0.06));
     add_model(models, "umbrella", "Beach umbrella", umbrella(0.95, 0.4, 1.2, false, kSky, kWhite, 0.12));
     add_model(models, "umbrella", "Bell umbrella", umbrella(0.58, 0.6, 0.62, true, kTeal, kMint, 0.14));
-    add_model(models, "umbrella", "Golf umbrella", umbrella(0.95, 0.46, 0.7, true, kNavy, kMustard, 0.16));
+    add_model(models, "umbrella", "Golf umbrella", umbrella(0.85, 0.5, 0.8, true, kNavy, kMustard, 0.16));
 }
 
 void add_axes_and_swords(Models& models) {
@@ -188,6 +188,8 @@ void add_axes_and_swords(Models& models) {
     add_model(models, "axe", "Axe", axe(1.2, 0.36, false, kHoney, kSteel));
     add_model(models, "axe", "Double axe", axe(1.3, 0.4, true, kWalnut, kSlate));
     add_model(models, "axe", "Hatchet", axe(0.75, 0.32, false, kBrick, kSteel));
+    add_model(models, "axe", "Felling axe", axe(1.05, 0.46, false, kTan, kSlate));
+    add_model(models, "axe", "Fire axe", axe(1.4, 0.42, false, kMustard, kRed));
     const auto sword = [](double blade, double width, double guard, double droop, Rgb steel, Rgb hilt) {
         Assembly a;
         a.add(slab({{-width, 0}, {-width * 0.85, blade * 0.85}, {0, blade}, {width * 0.85, blade * 0.85}, {width, 0}},
@@ -201,54 +203,11 @@ void add_axes_and_swords(Models& models) {
     add_model(models, "sword", "Knight's sword", sword(1.2, 0.08, 0.28, 0.0, kSteel, kWalnut));
     add_model(models, "sword", "Broadsword", sword(1.05, 0.13, 0.34, 0.08, kStone, kNavy));
     add_model(models, "sword", "Short sword", sword(0.75, 0.1, 0.2, -0.05, kSteel, kWine));
+    add_model(models, "sword", "Long sword", sword(1.5, 0.07, 0.24, 0.04, kSteel, kCocoa));
+    add_model(models, "sword", "Toy sword", sword(0.85, 0.11, 0.3, 0.0, kHoney, kBlue));
 }
 
 void add_workshop(Models& models) {
-    const auto saw = [](double length, double height, int teeth, Rgb handle) {
-        std::vector<Point> outline{{0, 0.05}, {0, height}, {length, height * 0.55}, {length, height * 0.32}};
-        for (int k = teeth; k > 0; --k) {
-            const double x = length * (k - 0.5) / teeth, y = 0.32 * height * x / length;
-            outline.push_back({x + length * 0.3 / teeth, y - 0.04});
-            outline.push_back({x - length * 0.3 / teeth, y + 0.015});
-        }
-        Assembly a;
-        a.add(slab(outline, 0.03, 0.006, kSteel))
-            .add(loop({{0.08, height * 1.0, 0},
-                       {-0.16, height * 1.08, 0},
-                       {-0.36, height * 0.8, 0},
-                       {-0.4, height * 0.3, 0},
-                       {-0.28, -0.06, 0},
-                       {-0.08, -0.02, 0},
-                       {-0.06, height * 0.5, 0}},
-                      0.065, handle));
-        return a.mesh();
-    };
-    add_model(models, "saw", "Hand saw", saw(1.2, 0.36, 22, kHoney));
-    add_model(models, "saw", "Short saw", saw(0.8, 0.32, 14, kCoral));
-    add_model(models, "saw", "Panel saw", saw(1.4, 0.46, 30, kWalnut));
-    const auto driver = [](double shaft, double r, double handle, Rgb colour, bool flat) {
-        Assembly a;
-        a.add(tube({{{0, 0, 0}, r * 0.8},
-                    {{0, handle * 0.15, 0}, r},
-                    {{0, handle * 0.6, 0}, r},
-                    {{0, handle * 0.85, 0}, r * 0.65},
-                    {{0, handle, 0}, r * 0.75}},
-                   colour, {.sides = 12}))
-            .add(rod({0, handle, 0}, {0, handle + shaft, 0}, 0.032, kSteel, Cap::Flat));
-        const double end = handle + shaft;
-        a.add(flat ? slab({{-0.03, end - 0.02},
-                           {-0.06, end + 0.08},
-                           {-0.055, end + 0.14},
-                           {0.055, end + 0.14},
-                           {0.06, end + 0.08},
-                           {0.03, end - 0.02}},
-                          0.03, 0.008, kSteel)
-                   : cone({0, end - 0.01, 0}, {0, end + 0.1, 0}, 0.032, 0.008, kSlate));
-        return a.mesh();
-    };
-    add_model(models, "screwdriver", "Screwdriver", driver(0.6, 0.11, 0.5, kMustard, true));
-    add_model(models, "screwdriver", "Long screwdriver", driver(0.95, 0.09, 0.46, kRed, true));
-    add_model(models, "screwdriver", "Stubby screwdriver", driver(0.24, 0.14, 0.42, kBlue, false));
     const auto shovel = [](double shaft, double width, double blade, bool pointed, Rgb steel) {
         Assembly a;
         a.add(rod({0, 0, 0}, {0, shaft, 0}, 0.035, kHoney))
@@ -275,6 +234,8 @@ void add_workshop(Models& models) {
     add_model(models, "shovel", "Garden shovel", shovel(0.95, 0.2, 0.42, true, kSlate));
     add_model(models, "shovel", "Spade", shovel(0.8, 0.17, 0.42, false, kSteel));
     add_model(models, "shovel", "Snow shovel", shovel(1.1, 0.34, 0.4, false, kBlue));
+    add_model(models, "shovel", "Sand shovel", shovel(0.5, 0.2, 0.38, true, kCoral));
+    add_model(models, "shovel", "Long shovel", shovel(1.3, 0.22, 0.36, true, kOlive));
     const auto ladder = [](double height, double low, double high, int rungs, bool steps, Rgb colour) {
         Assembly side;
         side.pair_x(rod({low, 0, 0}, {high, height, 0}, 0.03, colour));
@@ -298,6 +259,8 @@ void add_workshop(Models& models) {
     add_model(models, "ladder", "Ladder", ladder(1.6, 0.25, 0.2, 7, false, kHoney));
     add_model(models, "ladder", "Stepladder", ladder(1.1, 0.3, 0.2, 4, true, kMustard));
     add_model(models, "ladder", "Orchard ladder", ladder(1.8, 0.34, 0.07, 8, false, kTan));
+    add_model(models, "ladder", "Short ladder", ladder(1.0, 0.3, 0.27, 4, false, kCoral));
+    add_model(models, "ladder", "Wide ladder", ladder(1.3, 0.4, 0.38, 5, false, kSlate));
     const auto pencil = [](double length, double r, Rgb colour, Rgb lead, bool rubber) {
         Assembly a;
         a.add(tube({{{0, 0, 0}, r}, {{0, length, 0}, r}}, colour, {.sides = 6, .cap = Cap::Flat}))
@@ -311,6 +274,8 @@ void add_workshop(Models& models) {
     add_model(models, "pencil", "Yellow pencil", pencil(1.2, 0.075, kMustard, kInk, true));
     add_model(models, "pencil", "Red crayon pencil", pencil(0.85, 0.1, kRed, kRed, false));
     add_model(models, "pencil", "Blue pencil", pencil(1.45, 0.065, kBlue, kNavy, true));
+    add_model(models, "pencil", "Carpenter's pencil", pencil(0.7, 0.13, kLeaf, kInk, false));
+    add_model(models, "pencil", "Short pencil", pencil(0.55, 0.085, kCoral, kInk, true));
 }
 
 }  // namespace

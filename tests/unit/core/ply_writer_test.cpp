@@ -2,9 +2,12 @@
 
 #include <bit>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <sstream>
+
+#include "core/exchange/mesh_reader.hpp"
 
 namespace {
 
@@ -46,6 +49,20 @@ TEST_CASE("a mesh without colours is written without colour properties", "[ply_w
     std::ostringstream out;
     REQUIRE(core::write_ply(out, mesh));
     CHECK(out.str().find("red") == std::string::npos);
+}
+
+TEST_CASE("a PLY file whose first coordinate begins like a line end is read back", "[ply_writer]") {
+    constexpr float kLikeALineEnd = std::bit_cast<float>(0x3F43D70AU);
+    core::TriangleMesh mesh = triangle();
+    mesh.vertices[0].x = kLikeALineEnd;
+    const auto path = std::filesystem::temp_directory_path() / "croquis_ply_writer_test.ply";
+    REQUIRE(core::write_ply_file(path, mesh));
+    const auto back = core::read_mesh(path);
+    std::filesystem::remove(path);
+    REQUIRE(back);
+    REQUIRE(back->vertices.size() == 3);
+    CHECK(std::abs(back->vertices[0].x - kLikeALineEnd) < 1e-6);
+    CHECK(back->vertices[2].y == -2.0);
 }
 
 TEST_CASE("a broken mesh is refused before anything is written", "[ply_writer]") {

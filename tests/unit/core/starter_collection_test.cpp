@@ -6,33 +6,22 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
-#include <span>
+#include <sstream>
 #include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "core/base/checksum.hpp"
+#include "core/exchange/ply_writer.hpp"
 
 namespace {
 
 const std::vector<core::StarterModel>& collection() {
     static const std::vector<core::StarterModel> models = core::starter_collection();
     return models;
-}
-
-std::uint64_t content(const std::vector<core::StarterModel>& models) {
-    std::uint64_t hash = 0;
-    for (const core::StarterModel& m : models) {
-        hash = core::fnv1a64(std::as_bytes(std::span(m.name)), hash);
-        hash = core::fnv1a64(std::as_bytes(std::span(m.class_name)), hash);
-        hash = core::fnv1a64(std::as_bytes(std::span(m.mesh.vertices)), hash);
-        hash = core::fnv1a64(std::as_bytes(std::span(m.mesh.triangles)), hash);
-        hash = core::fnv1a64(std::as_bytes(std::span(m.mesh.colours)), hash);
-    }
-    return hash;
 }
 
 core::Vec3 extent(const core::TriangleMesh& mesh) {
@@ -86,12 +75,14 @@ TEST_CASE("the starter collection", "[starter]") {
     SECTION("the starter collection has enough to find") {
         std::map<std::string, int> by_class;
         for (const core::StarterModel& m : collection()) ++by_class[m.class_name];
-        CHECK(by_class.size() >= 12);
+        CHECK(by_class.size() >= 40);
         for (const auto& [name, count] : by_class) {
             INFO(name);
-            CHECK(count >= 3);
+            CHECK(count >= 5);
         }
-        for (const char* name : {"horse", "airplane", "chair", "guitar"}) CHECK(by_class.contains(name));
+        // What the recorded drawings show, and what goes with garments.
+        for (const char* name : {"horse", "airplane", "chair", "guitar", "shoe", "hat", "eyeglasses", "purse"})
+            CHECK(by_class.contains(name));
     }
 
     SECTION("starter models have unique names and their classes stand together") {
@@ -111,8 +102,8 @@ TEST_CASE("the starter collection", "[starter]") {
         for (const core::StarterModel& m : collection()) {
             INFO(m.class_name << ": " << m.name);
             const core::TriangleMesh& mesh = m.mesh;
-            REQUIRE(mesh.triangles.size() >= 300);
-            CHECK(mesh.triangles.size() <= 19000);
+            REQUIRE(mesh.triangles.size() >= 100);
+            CHECK(mesh.triangles.size() <= 20000);
             REQUIRE(mesh.colours.size() == mesh.vertices.size());
             CHECK(std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](core::Vec3 v) {
                 return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -125,6 +116,12 @@ TEST_CASE("the starter collection", "[starter]") {
             CHECK(std::max({size.x, size.y, size.z}) > 0.4);
             CHECK(std::min({size.x, size.y, size.z}) > 0.01);
         }
+    }
+
+    SECTION("most starter models are light") {
+        const auto light = std::count_if(collection().begin(), collection().end(),
+                                         [](const auto& m) { return m.mesh.triangles.size() < 8000; });
+        CHECK(light * 10 >= std::ssize(collection()) * 7);
     }
 
     SECTION("starter models are closed and face outward") {
@@ -159,11 +156,7 @@ TEST_CASE("the starter collection", "[starter]") {
         }
     }
 
-    SECTION("the starter collection is the same every time") {
-        CHECK(content(core::starter_collection()) == content(collection()));
-    }
-
-    SECTION("the starter collection is written with a list of classes") {
+    SECTION("the starter collection is written with a list of classes, the second time as the first") {
         const auto folder = std::filesystem::temp_directory_path() / "croquis_starter_test" / "models";
         std::filesystem::remove_all(folder);
         REQUIRE(core::write_starter_collection(folder));
@@ -174,8 +167,10 @@ TEST_CASE("the starter collection", "[starter]") {
             const std::size_t tab = line.find('\t');
             REQUIRE(tab != std::string::npos);
             CHECK(line.substr(tab + 1) == collection()[lines].class_name);
-            CHECK(std::filesystem::file_size(folder / line.substr(0, tab)) >
-                  collection()[lines].mesh.vertices.size() * 15);
+            std::ostringstream first;  // the folder's models were made anew
+            REQUIRE(core::write_ply(first, collection()[lines].mesh));
+            std::ifstream written(folder / line.substr(0, tab), std::ios::binary);
+            CHECK(first.str() == std::string(std::istreambuf_iterator<char>(written), {}));
         }
         CHECK(lines == collection().size());
         std::filesystem::remove_all(folder.parent_path());

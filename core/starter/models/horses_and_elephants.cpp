@@ -1,4 +1,4 @@
-// Horses, giraffes, elephants and other animals on hoofs.
+// Horses and elephants.
 
 #include <algorithm>
 #include <cmath>
@@ -124,105 +124,6 @@ void add_horses(Models& models) {
     add_model(models, "horse", "Galloping horse", make_horse(racer, kInk));
 }
 
-bool on_patch(Vec3 p, double size, double gap) {
-    // Cells of a jittered lattice: near a cell's middle is a patch.
-    double best = 1e9, second = 1e9;
-    const int bx = static_cast<int>(std::floor(p.x / size)), by = static_cast<int>(std::floor(p.y / size)),
-              bz = static_cast<int>(std::floor(p.z / size));
-    for (int i = -1; i <= 1; ++i)
-        for (int j = -1; j <= 1; ++j)
-            for (int k = -1; k <= 1; ++k) {
-                const double x = bx + i, y = by + j, z = bz + k;
-                const Vec3 middle{(x + 0.5 + 0.35 * std::sin(12.9 * x + 78.2 * y + 37.7 * z)) * size,
-                                  (y + 0.5 + 0.35 * std::sin(39.3 * x + 11.1 * y + 83.1 * z)) * size,
-                                  (z + 0.5 + 0.35 * std::sin(73.1 * x + 52.2 * y + 9.1 * z)) * size};
-                const double d = length(p - middle);
-                if (d < best) {
-                    second = best;
-                    best = d;
-                } else {
-                    second = std::min(second, d);
-                }
-            }
-    return second - best > gap;
-}
-
-TriangleMesh make_giraffe(const Quadruped& q, Rgb patch, double patch_size) {
-    Animal a = quadruped(q);
-    a.details.add(mane(a, 0.035, 0.025, darker(patch), q.neck_base * 0.75));
-    const Vec3 crown = a.head + a.head_up * (q.skull * 0.7);
-    a.details.pair(rod(crown + Vec3{0, 0, 0.035}, crown + a.head_up * 0.15 + Vec3{-0.03, 0, 0.045}, 0.018, q.coat));
-    a.details.pair(ball(crown + a.head_up * 0.16 + Vec3{-0.03, 0, 0.047}, 0.03, kCocoa, 8));
-    TriangleMesh body = painted(a.body.mesh(84), [&](Vec3 p, Rgb c) {
-        const bool coat = c == q.coat && p.y > 0.5 && length(p - a.head) > q.skull * 1.2;
-        return coat && on_patch(p, patch_size, patch_size * 0.16) ? patch : c;
-    });
-    join(body, a.details.mesh());
-    return facing_front(body);
-}
-
-void add_giraffes(Models& models) {
-    Quadruped q;
-    q.length = 0.62;
-    q.shoulder = 1.12;
-    q.hip = 1.0;
-    q.chest = 0.19;
-    q.belly = 0.17;
-    q.rump = 0.165;
-    q.thigh = 0.075;
-    q.ankle = 0.04;
-    q.foot = 0.055;
-    q.stride = 0.13;
-    q.neck_angle = 66;
-    q.neck_length = 0.95;
-    q.neck_base = 0.13;
-    q.neck_top = 0.065;
-    q.skull = 0.085;
-    q.muzzle = 0.055;
-    q.head_length = 0.27;
-    q.head_angle = 28;
-    q.ear_length = 0.11;
-    q.ear_width = 0.032;
-    q.tail = {{{0.02, 0, 0}, 0.022},
-              {{-0.1, -0.14, 0}, 0.016},
-              {{-0.12, -0.36, 0}, 0.016},
-              {{-0.12, -0.46, 0}, 0.04},
-              {{-0.12, -0.54, 0}, 0.01}};
-    q.tint(kIvory);
-    q.underside = kIvory;
-    q.foot_colour = kCocoa;
-    q.muzzle_colour = kSand;
-    q.tail_colour = kCocoa;
-    add_model(models, "giraffe", "Giraffe", make_giraffe(q, kHoney, 0.17));
-    Quadruped calf = q;
-    calf.length = 0.5;
-    calf.shoulder = 0.86;
-    calf.hip = 0.8;
-    calf.neck_length = 0.55;
-    calf.skull = 0.1;
-    calf.head_length = 0.25;
-    calf.ear_length = 0.14;
-    add_model(models, "giraffe", "Giraffe calf", make_giraffe(calf, kOrange, 0.14));
-    Quadruped tall = q;
-    tall.neck_angle = 80;
-    tall.neck_length = 1.15;
-    tall.length = 0.55;
-    tall.shoulder = 1.2;
-    tall.head_angle = 12;
-    add_model(models, "giraffe", "Tall giraffe", make_giraffe(tall, kChestnut, 0.2));
-    Quadruped walker = q;
-    walker.neck_angle = 48;
-    walker.stride = 0.26;
-    walker.head_angle = 40;
-    add_model(models, "giraffe", "Walking giraffe", make_giraffe(walker, kTan, 0.15));
-    Quadruped grazer = q;
-    grazer.neck_angle = 26;
-    grazer.neck_length = 0.85;
-    grazer.head_angle = 50;
-    grazer.length = 0.7;
-    add_model(models, "giraffe", "Browsing giraffe", make_giraffe(grazer, kWalnut, 0.18));
-}
-
 struct Trunk {
     std::vector<Station> line;  ///< relative to the head
     double tusk = 0.22;
@@ -341,9 +242,8 @@ void add_elephants(Models& models) {
 
 }  // namespace
 
-void add_hoofed_animals(Models& models) {
+void add_horses_and_elephants(Models& models) {
     add_horses(models);
-    add_giraffes(models);
     add_elephants(models);
 }
 

@@ -1,4 +1,4 @@
-// Sailboats, ships, canoes, submarines and hot air balloons.
+// Sailboats and hot air balloons: what the wind carries.
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +80,20 @@ void add_sailboats(Models& models) {
         return facing_front(a.mesh());
     };
     add_model(models, "sailboat", "Sailboat", sloop({}, 1.35, 0.65, 0.55, kWhite, kCream, false));
+    add_model(
+        models, "sailboat", "Toy boat",
+        sloop({.length = 1.5, .height = 0.42, .width = 0.4, .bow = 0.16, .stern = 0.16, .sheer = 0.04, .side = kTeal},
+              1.1, 0.5, 0.0, kStraw, kStraw, false));
+    add_model(models, "sailboat", "Fishing boat",
+              sloop({.length = 1.7,
+                     .height = 0.4,
+                     .width = 0.42,
+                     .bow = 0.26,
+                     .stern = 0.12,
+                     .sheer = 0.12,
+                     .side = kBrick,
+                     .stripe = kCream},
+                    0.95, 0.5, 0.4, kCream, kCream, false));
     add_model(models, "sailboat", "Yacht",
               sloop({.length = 1.7, .height = 0.24, .width = 0.42, .bow = 0.35, .side = kNavy}, 1.8, 0.75, 0.75, kWhite,
                     kWhite, true));
@@ -128,88 +142,7 @@ void add_sailboats(Models& models) {
                    1, kBrick));
 }
 
-void add_other_boats(Models& models) {
-    const auto liner = [](double length, int decks, int funnels, Rgb side, Rgb funnel) {
-        Assembly a;
-        a.add(hull(
-            {.length = length, .height = 0.34, .width = 0.44, .bow = 0.34, .stern = 0.1, .sheer = 0.08, .side = side}));
-        for (int k = 0; k < decks; ++k) {
-            const double l = length * (0.78 - 0.13 * k), y = 0.08 + 0.15 * k;
-            a.add(box({-0.06, y, 0}, {l, 0.15, 0.34 - 0.05 * k}, 0.03, kWhite));
-            const int windows = static_cast<int>(l / 0.13);
-            for (int w = 0; w < windows; ++w)
-                a.pair(ball({-0.06 - l / 2 + (w + 0.5) * l / windows, y + 0.01, 0.17 - 0.025 * k},
-                            {0.032, 0.032, 0.012}, kNavy, 6));
-        }
-        for (int k = 0; k < funnels; ++k) {
-            const double x = length * 0.18 * (k - (funnels - 1) / 2.0) - 0.1, y = 0.1 + 0.15 * decks;
-            a.add(painted(
-                tube({{{x, y - 0.1, 0}, 0.075}, {{x - 0.03, y + 0.1, 0}, 0.075}, {{x - 0.06, y + 0.3, 0}, 0.07}},
-                     funnel, {.sides = 18, .cap = Cap::Flat}),
-                [&](Vec3 p, Rgb c) { return p.y > y + 0.22 ? kInk : c; }));
-        }
-        return facing_front(a.mesh());
-    };
-    add_model(models, "cruise ship", "Cruise ship", liner(2.2, 3, 2, kNavy, kCoral));
-    add_model(models, "cruise ship", "Ocean liner", liner(2.6, 2, 4, kInk, kHoney));
-    add_model(models, "cruise ship", "Ferry", liner(1.6, 3, 1, kTeal, kMustard));
-    const auto canoe = [](double length, double rise, double width, Rgb colour, int paddles) {
-        Assembly a;
-        std::vector<Station> line;
-        for (int k = 0; k <= 12; ++k) {
-            const double u = k / 6.0 - 1.0, full = 1.0 - std::pow(std::abs(u), 2.4);
-            line.push_back(
-                {{u * length / 2, rise * std::pow(std::abs(u), 3.0), 0}, 0.05 + 0.1 * full, 0.02 + width * full});
-        }
-        a.add(tube(line, colour, {.sides = 24, .steps = 3}));
-        a.add(bent(ball({0, 0.1, 0}, {length * 0.4, 0.07, width * 0.72}, darker(colour, 0.4), 14), [&](Vec3 p) {
-            return Vec3{p.x, p.y + rise * std::pow(std::abs(2 * p.x / length), 3.0), p.z};
-        }));
-        for (int k = 0; k < paddles; ++k) {
-            const double x = -0.15 + 0.5 * k;
-            a.add(rod({x, 0.55, -0.05}, {x + 0.22, -0.28, 0.3}, 0.018, kHoney))
-                .add(ball({x + 0.25, -0.38, 0.34}, {0.06, 0.15, 0.02}, kHoney, 8));
-        }
-        return facing_front(a.mesh());
-    };
-    add_model(models, "canoe", "Canoe", canoe(1.9, 0.26, 0.26, kRed, 1));
-    add_model(models, "canoe", "Birch canoe", canoe(1.7, 0.4, 0.3, kSand, 2));
-    add_model(models, "canoe", "Kayak", canoe(2.2, 0.08, 0.22, kTeal, 1));
-    const auto submarine = [](double length, double r, double tower, Rgb colour, int ports) {
-        Assembly a;
-        a.add(tube({{{-length / 2, 0, 0}, r * 0.25},
-                    {{-length * 0.35, 0, 0}, r * 0.75},
-                    {{-length * 0.1, 0, 0}, r},
-                    {{length * 0.3, 0, 0}, r},
-                    {{length * 0.44, 0, 0}, r * 0.75}},
-                   colour, {.sides = 26}));
-        a.add(tube({{{0.08, r * 0.7, 0}, 0.2, 0.12}, {{0.06, r + tower, 0}, 0.17, 0.1}}, colour,
-                   {.sides = 20, .cap = Cap::Flat}))
-            .add(tube({{{0.08, r + tower - 0.03, 0}, 0.025},
-                       {{0.08, r + tower + 0.2, 0}, 0.025},
-                       {{0.11, r + tower + 0.26, 0}, 0.027},
-                       {{0.2, r + tower + 0.26, 0}, 0.03}},
-                      kBrass, {.steps = 8}));
-        for (int k = 0; k < ports; ++k) {
-            const double x = length * (0.3 - 0.46 * k / std::max(1, ports - 1));
-            a.pair(ring({x, 0.06, r * 0.97}, {0, 0, 1}, 0.07, 0.018, kBrass, 24))
-                .pair(ball({x, 0.06, r * 0.95}, {0.065, 0.065, 0.03}, kGlass, 10));
-        }
-        a.add(moved(slab({{0.0, 0.0}, {-0.12, 0.26}, {-0.26, 0.26}, {-0.2, 0.0}}, 0.05, 0.015, darker(colour)),
-                    {-length * 0.36, r * 0.5, 0}))
-            .add(moved(
-                mirrored_x(turned_z(
-                    slab({{0.0, 0.0}, {-0.12, 0.26}, {-0.26, 0.26}, {-0.2, 0.0}}, 0.05, 0.015, darker(colour)), 180)),
-                {-length * 0.36, -r * 0.5, 0}));
-        for (int k = 0; k < 3; ++k)
-            a.add(moved(turned_x(ball({0, 0.11, 0}, {0.02, 0.11, 0.05}, kBrass, 8), 120.0 * k),
-                        {-length / 2 - 0.07, 0, 0}));
-        a.add(rod({-length / 2 - 0.1, 0, 0}, {-length / 2, 0, 0}, 0.03, kBrass));
-        return facing_front(a.mesh());
-    };
-    add_model(models, "submarine", "Yellow submarine", submarine(1.5, 0.32, 0.24, kMustard, 3));
-    add_model(models, "submarine", "Long submarine", submarine(2.2, 0.24, 0.3, kSlate, 4));
-    add_model(models, "submarine", "Little submarine", submarine(1.1, 0.36, 0.18, kTeal, 2));
+void add_balloons(Models& models) {
     const auto balloon = [](double width, double height, double gap, int panels, Rgb one, Rgb two) {
         Assembly a;
         a.add(painted(lathe_smooth({{0.13, gap},
@@ -223,23 +156,25 @@ void add_other_boats(Models& models) {
                               std::floor((std::atan2(p.z, p.x) / 6.283185307179586 + 1.0 + 1e-6) * panels));
                           return panel % 2 == 0 ? one : two;
                       }));
-        a.add(box({0, -0.02, 0}, {0.3, 0.24, 0.3}, 0.05, kTan))
-            .add(box({0, 0.1, 0}, {0.34, 0.05, 0.34}, 0.022, kWalnut))
-            .add(box({0, -0.1, 0}, {0.31, 0.03, 0.31}, 0.012, kWalnut));
+        a.add(box({0, -0.02, 0}, {0.36, 0.28, 0.36}, 0.05, kTan))
+            .add(box({0, 0.1, 0}, {0.4, 0.05, 0.4}, 0.022, kWalnut))
+            .add(box({0, -0.1, 0}, {0.37, 0.03, 0.37}, 0.012, kWalnut));
         for (const double x : {-1.0, 1.0})
-            a.pair(rod({x * 0.14, 0.1, 0.14}, {x * 0.1, gap + 0.03, 0.1}, 0.012, kCocoa));
-        return a.mesh();
+            a.pair(rod({x * 0.17, 0.1, 0.17}, {x * 0.12, gap + 0.03, 0.1}, 0.014, kCocoa));
+        return scaled(a.mesh(), {1.0, 1.0, 0.75});
     };
     add_model(models, "hot air balloon", "Hot air balloon", balloon(0.55, 1.15, 0.32, 12, kCoral, kCream));
     add_model(models, "hot air balloon", "Round balloon", balloon(0.66, 1.0, 0.26, 8, kTeal, kMustard));
     add_model(models, "hot air balloon", "Tall balloon", balloon(0.46, 1.4, 0.4, 16, kPlum, kPink));
+    add_model(models, "hot air balloon", "Small balloon", balloon(0.5, 0.92, 0.2, 8, kLeaf, kStraw));
+    add_model(models, "hot air balloon", "Great balloon", balloon(0.72, 1.3, 0.3, 16, kNavy, kSky));
 }
 
 }  // namespace
 
-void add_boats(Models& models) {
+void add_sailboats_and_balloons(Models& models) {
     add_sailboats(models);
-    add_other_boats(models);
+    add_balloons(models);
 }
 
 }  // namespace core::starter
