@@ -239,6 +239,7 @@ void decode_events(const Capture& capture, const Surroundings& around, DecodedCa
     }
     EvdevPen pen(described.evdev);
     out.axes = pen.axes();
+    out.keys = described.evdev.pen_keys();
     for (const EvdevEvent& e : capture.events) {
         const bool frame = e.type == EV_SYN && e.code == SYN_REPORT;
         out.reports += frame ? 1 : 0;

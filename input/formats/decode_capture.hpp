@@ -15,6 +15,7 @@ struct DecodedCapture {
     PenAxes axes;
     bool ranges_from_recording =
         false;                       ///< nobody says how far the axes go: the largest value seen counts as their end
+    std::vector<std::uint16_t> keys;  ///< of an event node, those of a pen
     std::vector<PenSample> samples;  ///< device 1; times as recorded
     std::size_t reports = 0;         ///< reports, or frames of events
     std::size_t other_reports = 0;   ///< that are not of a pen

@@ -13,6 +13,11 @@ constexpr std::array<std::pair<std::uint16_t, PenTool>, 7> kTools{{{BTN_TOOL_RUB
                                                                    {BTN_TOOL_MOUSE, PenTool::Mouse},
                                                                    {BTN_TOOL_PEN, PenTool::Pen}}};
 
+bool is_pen_key(std::uint16_t code) {
+    return code == BTN_TOUCH || code == BTN_STYLUS || code == BTN_STYLUS2 || code == BTN_STYLUS3 ||
+           (code >= BTN_TOOL_PEN && code <= BTN_TOOL_LENS);
+}
+
 std::optional<AxisRange> range_of(const EvdevDescription& d, unsigned code) {
     const auto& axis = d.axes[code];
     if (!axis || axis->max <= axis->min) return std::nullopt;
@@ -39,6 +44,14 @@ bool EvdevDescription::is_pen() const {
     const bool place = axes[ABS_X] && axes[ABS_Y] && axes[ABS_X]->max - axes[ABS_X]->min >= kSmallestRange;
     const bool stylus = keys[BTN_TOOL_PEN] || keys[BTN_STYLUS] || keys[BTN_TOOL_RUBBER] || keys[BTN_TOOL_LENS];
     return place && stylus && !axes[ABS_MT_SLOT];
+}
+
+std::vector<std::uint16_t> EvdevDescription::pen_keys() const {
+    std::vector<std::uint16_t> out;
+    for (std::uint16_t code = 0; code < keys.size(); ++code) {
+        if (keys[code] && is_pen_key(code)) out.push_back(code);
+    }
+    return out;
 }
 
 EvdevPen::EvdevPen(const EvdevDescription& description, const std::bitset<768>& pressed) {
@@ -118,9 +131,7 @@ void EvdevPen::set_axis(std::uint16_t code, std::int32_t value) {
 
 void EvdevPen::set_key(std::uint16_t code, bool on) {
     if (code >= pressed_.size()) return;
-    const bool ours = code == BTN_TOUCH || code == BTN_STYLUS || code == BTN_STYLUS2 || code == BTN_STYLUS3 ||
-                      (code >= BTN_TOOL_PEN && code <= BTN_TOOL_LENS);
-    if (!ours) return;
+    if (!is_pen_key(code)) return;
     pressed_[code] = on;
     touched_ = true;
 }

@@ -11,6 +11,7 @@
 #include <bitset>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "input/pen_axes.hpp"
 
@@ -35,6 +36,8 @@ struct EvdevDescription {
 
     /// A tablet's pen: it has a position, and a tool or a stylus button that only tablets have.
     [[nodiscard]] bool is_pen() const;
+    /// Those of its keys that matter to EvdevPen, ascending.
+    [[nodiscard]] std::vector<std::uint16_t> pen_keys() const;
     friend bool operator==(const EvdevDescription&, const EvdevDescription&) = default;
 };
 
