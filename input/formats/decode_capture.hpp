@@ -14,11 +14,11 @@ struct DecodedCapture {
     std::string parser;  ///< "descriptor", "fields (huion.json)", "wacom-intuos (…)", "evdev"
     PenAxes axes;
     bool ranges_from_recording =
-        false;                       ///< nobody says how far the axes go: the largest value seen counts as their end
+        false;                        ///< nobody says how far the axes go: the largest value seen counts as their end
     std::vector<std::uint16_t> keys;  ///< of an event node, those of a pen
-    std::vector<PenSample> samples;  ///< device 1; times as recorded
-    std::size_t reports = 0;         ///< reports, or frames of events
-    std::size_t other_reports = 0;   ///< that are not of a pen
+    std::vector<PenSample> samples;   ///< device 1; times as recorded
+    std::size_t reports = 0;          ///< reports, or frames of events
+    std::size_t other_reports = 0;    ///< that are not of a pen
     std::optional<std::string> why_none;  ///< with no samples: what stands in the way, in a sentence
 };
 
