@@ -97,7 +97,12 @@ void decode_interface(int interface, const std::vector<const CapturedReport*>& r
     std::optional<ReportDescriptor> descriptor;
     if (const auto* bytes = descriptor_of(interface, capture, around)) {
         core::Result<ReportDescriptor> parsed = parse_report_descriptor(*bytes);
-        if (parsed) descriptor = std::move(*parsed);
+        if (parsed) {
+            descriptor = std::move(*parsed);
+        } else {
+            out.malformed = "the report descriptor is malformed: " + parsed.error().message +
+                            (parsed.error().where.empty() ? "" : " at " + parsed.error().where);
+        }
     }
     bool learnt = false;
     const std::unique_ptr<PenDecoder> decoder = decoder_for(file, descriptor, around.strings, reports, learnt);
@@ -134,7 +139,9 @@ void decode_reports(const Capture& capture, const Surroundings& around, DecodedC
                      [](const PenSample& a, const PenSample& b) { return a.time_ns < b.time_ns; });
     if (!out.samples.empty()) return;
     const bool described = !capture.descriptors.empty() || !around.descriptors.empty();
-    if (capture.reports.empty()) {
+    if (out.malformed) {
+        out.why_none = out.malformed;
+    } else if (capture.reports.empty()) {
         out.why_none = "the recording holds no report";
     } else if (!described && file_for(out.device, around) == nullptr) {
         out.why_none =

@@ -19,7 +19,8 @@ struct DecodedCapture {
     std::vector<PenSample> samples;   ///< device 1; times as recorded
     std::size_t reports = 0;          ///< reports, or frames of events
     std::size_t other_reports = 0;    ///< that are not of a pen
-    std::optional<std::string> why_none;  ///< with no samples: what stands in the way, in a sentence
+    std::optional<std::string> malformed;  ///< the recording's own report descriptor is, in a sentence
+    std::optional<std::string> why_none;   ///< with no samples: what stands in the way, in a sentence
 };
 
 /// Reads a recording with all that is known. Always gives a result; without samples it says why. Linear time.

@@ -3,12 +3,14 @@
 #include <fcntl.h>
 #include <hidapi/hidapi.h>
 #include <linux/hidraw.h>
+#include <linux/input.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <map>
+#include <utility>
 
 #include "input/devices/make_decoder.hpp"
 #include "input/devices/uclogic_strings.hpp"
@@ -128,13 +130,39 @@ void wake(const UdevNode& node, const Known& known, hid_device* handle) {
     }
 }
 
+/// Event nodes that nobody else hears of for as long as this lives.
+class GrabbedNodes {
+  public:
+    GrabbedNodes() = default;
+    explicit GrabbedNodes(const UdevNode& tablet) {
+        for (const UdevNode& n : udev_nodes("input")) {
+            const bool same_usb = !tablet.usb_path.empty() && n.usb_path == tablet.usb_path;
+            const bool same_hid = !tablet.hid_path.empty() && n.hid_path == tablet.hid_path;
+            if ((!same_usb && !same_hid) || n.node.find("/event") == std::string::npos) continue;
+            const int fd = open(n.node.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+            if (fd < 0) continue;
+            ioctl(fd, EVIOCGRAB, 1);
+            fds_.push_back(fd);
+        }
+    }
+    ~GrabbedNodes() {
+        for (const int fd : fds_) close(fd);
+    }
+    GrabbedNodes(GrabbedNodes&& other) noexcept : fds_(std::exchange(other.fds_, {})) {}
+    GrabbedNodes& operator=(GrabbedNodes&&) = delete;
+
+  private:
+    std::vector<int> fds_;
+};
+
 class HidReader final : public DeviceReader {
   public:
     HidReader(TraceDevice device, Clock clock, std::size_t queue_events, HidHandle handle,
-              std::unique_ptr<PenDecoder> decoder)
+              std::unique_ptr<PenDecoder> decoder, GrabbedNodes grabbed)
         : DeviceReader(std::move(device), std::move(clock), queue_events),
           handle_(std::move(handle)),
           decoder_(std::move(decoder)),
+          grabbed_(std::move(grabbed)),
           buffer_(kReadBytes) {}
     ~HidReader() override { stop(); }
 
@@ -160,6 +188,7 @@ class HidReader final : public DeviceReader {
 
     HidHandle handle_;
     std::unique_ptr<PenDecoder> decoder_;
+    GrabbedNodes grabbed_;
     std::vector<std::uint8_t> buffer_;
 };
 
@@ -223,7 +252,8 @@ struct HidSource::Impl {
             numbers[node.node] = device.number;
         }
         readers.add(std::make_unique<HidReader>(std::move(device), options.clock, options.queue_events,
-                                                std::move(handle), std::move(decoder)));
+                                                std::move(handle), std::move(decoder),
+                                                options.grab_siblings ? GrabbedNodes(node) : GrabbedNodes()));
     }
 
     void cannot_open(const UdevNode& node, int why) {

@@ -17,8 +17,9 @@ struct HidSourceOptions {
     std::size_t queue_events = kQueueEvents;
     /// Whether this tablet is to be read by hidraw; asked for every HID interface that has a pen. Nothing: all of them.
     std::function<bool(const UdevNode&)> wanted{};
-    bool hot_plug = true;  ///< false: only what is there at the start
-    bool wake = true;      ///< read strings and write what the data file says
+    bool hot_plug = true;        ///< false: only what is there at the start
+    bool grab_siblings = false;  ///< take the event nodes that the same tablet has, so that it moves no pointer
+    bool wake = true;            ///< read strings and write what the data file says
 };
 
 class HidSource final : public PenSource {
