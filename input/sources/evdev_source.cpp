@@ -225,14 +225,8 @@ struct EvdevSource::Impl {
     }
 
     void cannot_open(const UdevNode& node, int why) {
-        const std::string what = node.node + " (" + node.identity.name + ")";
-        if (why == EACCES || why == EPERM) {
-            readers.problem(what + " may not be opened by this user; " + missing_rule(node));
-        } else if (why == EBUSY) {
-            readers.problem(what + " is held by another program; end that program");
-        } else if (why != ENOENT && why != ENODEV) {
-            readers.problem(what + " cannot be opened (" + std::strerror(why) + ")");
-        }
+        std::string problem = opening_problem(node, why);
+        if (!problem.empty()) readers.problem(std::move(problem));
     }
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -189,6 +190,14 @@ std::string missing_rule(const UdevNode& node) {
             "SUBSYSTEM==\"input\", ENV{ID_INPUT_TABLET}==\"1\", MODE=\"0660\", GROUP=\"input\", TAG+=\"uaccess\"");
     }
     return std::string("put this line into ") + kFile + " and plug the tablet in again: " + rule.data();
+}
+
+std::string opening_problem(const UdevNode& node, int why) {
+    if (why == ENOENT || why == ENODEV || why == ENXIO) return {};
+    const std::string what = node.identity.name.empty() ? node.node : node.node + " (" + node.identity.name + ")";
+    if (why == EACCES || why == EPERM) return what + " may not be opened by this user; " + missing_rule(node);
+    if (why == EBUSY) return what + " is held by another program; end that program";
+    return what + " cannot be opened (" + std::strerror(why) + ")";
 }
 
 }  // namespace input

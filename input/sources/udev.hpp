@@ -54,4 +54,8 @@ class UdevMonitor {
 /// What to install where a node may not be opened: the line of the udev rules file that is missing, and where it goes.
 [[nodiscard]] std::string missing_rule(const UdevNode& node);
 
+/// Why a node could not be opened, for people, after an errno: the rule that is missing, or that another program holds
+/// the tablet. Empty when the node has gone in the meantime, which is no problem.
+[[nodiscard]] std::string opening_problem(const UdevNode& node, int why);
+
 }  // namespace input

@@ -190,9 +190,13 @@ bool MockTablets::running_mocked() {
     return umockdev_in_mock_environment() != 0;
 }
 
-void MockTablets::plug_hid(int number, const std::vector<std::uint8_t>& descriptor, bool announce) {
+void MockTablets::plug_hid(int number, const std::vector<std::uint8_t>& descriptor, bool announce, bool kernel_pen) {
     impl_->answers(hid_ioctls(number, descriptor));  // first: adding already tells those who listen
     impl_->add(hid_description(number, descriptor));
+    if (kernel_pen) {
+        impl_->add("P: " + hid_path(number) + "/input/input" + std::to_string(90 + number) +
+                   "\nE: SUBSYSTEM=input\nA: capabilities/key=1c03 0 0 0 0 0\\n\nA: capabilities/abs=d000003\\n\n\n");
+    }
     if (announce)
         umockdev_testbed_uevent(impl_->bed,
                                 ("/sys" + hid_path(number) + "/hidraw/hidraw" + std::to_string(number)).c_str(), "add");

@@ -23,7 +23,8 @@ class MockTablets {
     MockTablets& operator=(const MockTablets&) = delete;
 
     /// A HID tablet with this descriptor at /dev/hidrawN. `announce` sends the uevent that a plug sends.
-    void plug_hid(int number, const std::vector<std::uint8_t>& descriptor, bool announce);
+    /// `kernel_pen`: a driver makes a pen with pressure of it, too.
+    void plug_hid(int number, const std::vector<std::uint8_t>& descriptor, bool announce, bool kernel_pen = false);
     /// A pen's event node at /dev/input/eventN: 44800 by 29600 steps of 200 a mm, pressure to 8191, tilt -64 … 63 of 57
     /// a radian, rotation, distance, pen and eraser, three buttons, serial numbers. `down_at` >= 0: the pen touches
     /// already, at this x.

@@ -1,6 +1,10 @@
 #include "input/devices/device_file.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 using input::DeviceFile;
@@ -122,5 +126,24 @@ TEST_CASE("places of fields", "[device_file]") {
     for (const char* wrong : {"", ":", "8:", "8:0", "8:33", "a", "8:16+", "16:24+64:16", "8:16x", "+8"}) {
         INFO(wrong);
         CHECK_FALSE(input::parse_field_spec(wrong));
+    }
+}
+
+TEST_CASE("the udev rules open every tablet that a data file claims", "[device_file]") {
+    std::ifstream in(CROQUIS_SOURCE_DIR "/firmware_like_app/appliance/70-croquis-tablets.rules");
+    const std::string rules{std::istreambuf_iterator<char>(in), {}};
+    REQUIRE_FALSE(rules.empty());
+    for (const DeviceFile& file : input::device_files()) {
+        const bool asks = std::any_of(file.wake.begin(), file.wake.end(), [](const input::WakeStep& step) {
+            return step.kind == input::WakeStep::Kind::ReadString;
+        });
+        for (const input::DeviceClaim& c : file.claims) {
+            char upper[8], lower[8];
+            std::snprintf(upper, sizeof upper, "%04X", c.vendor);
+            std::snprintf(lower, sizeof lower, "%04x", c.vendor);
+            INFO(file.file);
+            CHECK(rules.find("KERNELS==\"*:" + std::string(upper) + ":*\"") != std::string::npos);
+            if (asks) CHECK(rules.find("ATTR{idVendor}==\"" + std::string(lower) + "\"") != std::string::npos);
+        }
     }
 }

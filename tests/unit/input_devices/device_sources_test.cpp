@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <thread>
 
 #include "../../support/hex_bytes.hpp"
@@ -16,6 +17,7 @@
 #include "input/sources/evdev_source.hpp"
 #include "input/sources/hid_source.hpp"
 #include "input/sources/libinput_source.hpp"
+#include "input/sources/tablet_hub.hpp"
 #include "input/sources/trace_source.hpp"
 #include "input/trace/decode_trace.hpp"
 
@@ -542,4 +544,48 @@ TEST_CASE("tablets are listed with what they can", "[devices]") {
     CHECK(events[0].node.node == "/dev/input/event2");
     CHECK(*events[0].axes.width_mm() == Approx(224.0));
     CHECK(input::missing_rule(hid[0].node).find("KERNELS==\"*:1234:5678.*\"") != std::string::npos);
+}
+
+TEST_CASE("each tablet has one owner", "[devices]") {
+    MockTablets tablets;
+    tablets.plug_hid(0, same_ranges_descriptor(), false);
+    tablets.plug_hid(1, same_ranges_descriptor(), false, true);  // the kernel's driver has its pen
+    tablets.plug_evdev(5, false);
+    TestClock clock;
+    input::DeviceNumbers numbers;
+    input::TabletHub hub({.clock = clock.clock(), .numbers = &numbers});
+    std::vector<SourceEvent> events;
+    REQUIRE(wait_for(hub, events, [&] { return count(events, SourceEventKind::Attached) == 2; }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    hub.drain(events);
+    CHECK(count(events, SourceEventKind::Attached) == 2);
+    std::set<std::string> owners;
+    for (const SourceEvent& e : events)
+        owners.insert(hub.device(e.device).source + " " + hub.device(e.device).identity.serial);
+    CHECK(owners == std::set<std::string>{"evdev ", "hidraw SN0"});
+    clock.now_ns += 5'000'000;
+    tablets.report(0, report_of({.x = 5, .y = 5}));
+    tablets.frame(5, {{EV_KEY, BTN_TOOL_PEN, 1}}, clock.now_ns / 1000 + 5000);
+    CHECK(wait_for(hub, events, [&] { return count(events, SourceEventKind::Sample) == 2; }));
+    CHECK(hub.lost() == 0);
+    CHECK(hub.take_problems().empty());
+}
+
+TEST_CASE("what stands in the way of opening a node is said with the remedy", "[devices]") {
+    input::UdevNode node;
+    node.subsystem = "hidraw";
+    node.node = "/dev/hidraw3";
+    node.identity.name = "Some Pen";
+    node.identity.vendor = 0x256c;
+    node.identity.product = 0x006e;
+    const std::string refused = input::opening_problem(node, EACCES);
+    CHECK(refused.find("/dev/hidraw3 (Some Pen) may not be opened by this user") == 0);
+    CHECK(refused.find(
+              "SUBSYSTEM==\"hidraw\", KERNELS==\"*:256C:006E.*\", MODE=\"0660\", GROUP=\"input\", TAG+=\"uaccess\"") !=
+          std::string::npos);
+    CHECK(refused.find("/etc/udev/rules.d/70-croquis-tablets.rules") != std::string::npos);
+    CHECK(input::opening_problem(node, EBUSY) ==
+          "/dev/hidraw3 (Some Pen) is held by another program; end that program");
+    CHECK(input::opening_problem(node, ENODEV).empty());
+    CHECK(input::opening_problem(node, EIO).find("cannot be opened") != std::string::npos);
 }
