@@ -107,7 +107,6 @@ class Reader {
     }
 
     const char* event(std::string_view rest) {
-        EvdevEvent e;
         const auto time = nanoseconds_of_text(take_word(rest));
         const auto type = next_number<std::uint16_t>(rest, 16);
         const auto code = next_number<std::uint16_t>(rest, 16);
