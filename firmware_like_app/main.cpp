@@ -18,6 +18,8 @@ int main(int argc, char** argv) {
     app::add_match_command(cli, state);
     app::add_eval_commands(cli, state);
     app::add_starter_command(cli, state);
+    app::add_trace_commands(cli, state);
+    app::add_tablet_commands(cli, state);
     try {
         cli.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -43,7 +43,7 @@ void limit_processor_time(double seconds) {
 }
 
 /// Writable memory that this process has; 0 where the system does not tell.
-std::size_t writable_bytes() {
+[[maybe_unused]] std::size_t writable_bytes() {
     std::ifstream statm("/proc/self/statm");
     std::size_t pages = 0;
     for (int field = 0; field < 6; ++field) statm >> pages;  // the sixth is data and stack

@@ -1,0 +1,3 @@
+// The packaged main has no benchmarking.
+#define CATCH_CONFIG_MAIN
+#include <catch2/catch.hpp>

@@ -1,0 +1,9 @@
+// Any text as a drawing in SVG.
+
+#include "core/exchange/svg_reader.hpp"
+#include "drawing_promises.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    fuzz::hold_to_promises(core::parse_svg(fuzz::text_of(data, size)));
+    return 0;
+}
