@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     app::add_match_command(cli, state);
     app::add_eval_commands(cli, state);
     app::add_starter_command(cli, state);
+    app::add_mannequin_command(cli, state);
     app::add_garment_commands(cli, state);
     try {
         cli.parse(argc, argv);
