@@ -4,14 +4,9 @@
 #include <vector>
 
 #include "core/geometry/point.hpp"
+#include "core/mesh/field_sample.hpp"
 
 namespace core {
-
-/// A distance and the direction in which it grows.
-struct FieldSample {
-    double distance = 0.0;  ///< negative inside; exact to first order near the surface
-    Vec3 gradient;          ///< of length 1 or nearly so
-};
 
 /// One section, across the axis: superellipses of a common width, one in front, one behind.
 struct Section {
@@ -33,6 +28,7 @@ class Loft {
     /// `sections` in ascending order, two at least, are joined by a smooth curve that passes near them. Ends are flat.
     Loft(Frame frame, const std::vector<Section>& sections, Shape shape);
 
+    /// Exact to first order near the surface.
     [[nodiscard]] FieldSample sample(Vec3 p) const;
     [[nodiscard]] const Frame& frame() const { return frame_; }
     /// The smoothed section at a place on the axis.
