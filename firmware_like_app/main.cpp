@@ -20,6 +20,8 @@ int main(int argc, char** argv) {
     app::add_starter_command(cli, state);
     app::add_trace_commands(cli, state);
     app::add_tablet_commands(cli, state);
+    app::add_mannequin_command(cli, state);
+    app::add_garment_commands(cli, state);
     try {
         cli.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

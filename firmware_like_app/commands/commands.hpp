@@ -24,6 +24,8 @@ void add_query_command(CLI::App& cli, CommandState& state);
 void add_starter_command(CLI::App& cli, CommandState& state);
 void add_tablet_commands(CLI::App& cli, CommandState& state);
 void add_trace_commands(CLI::App& cli, CommandState& state);
+void add_garment_commands(CLI::App& cli, CommandState& state);
+void add_mannequin_command(CLI::App& cli, CommandState& state);
 void add_kiosk_command(CLI::App& cli, CommandState& state);
 
 /// One sentence on standard error, exit code 1.

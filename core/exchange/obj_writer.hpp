@@ -1,0 +1,29 @@
+#pragma once
+// Quad meshes as Wavefront OBJ files, one named group a piece.
+
+#include <filesystem>
+#include <iosfwd>
+#include <span>
+#include <string>
+
+#include "core/base/result.hpp"
+#include "core/mesh/quad_mesh.hpp"
+
+namespace core {
+
+/// A stretch of a mesh's quads under one name.
+struct QuadGroup {
+    std::string name;  ///< empty: no group line is written
+    std::size_t first = 0, count = 0;
+};
+
+/// Writes vertices with as many digits as give the same number back, then the quads of each group. Without groups all
+/// quads are written. Spaces in a name become underscores. The same mesh gives the same bytes. ErrorCode::BadMesh when
+/// a quad names a vertex that does not exist; ErrorCode::WriteFailed if the stream gives up.
+[[nodiscard]] Result<void> write_obj(std::ostream& out, const QuadMesh& mesh, std::span<const QuadGroup> groups = {});
+
+/// The same into a file, replaced if it exists. The error names the file.
+[[nodiscard]] Result<void> write_obj_file(const std::filesystem::path& path, const QuadMesh& mesh,
+                                          std::span<const QuadGroup> groups = {});
+
+}  // namespace core

@@ -1,0 +1,47 @@
+#pragma once
+// A region of cloth: a closed outline in space, cut into sides at its corners, and the quads that fill it.
+//
+//     const auto filled = core::fill_region({{side_0, side_1, side_2}}, core::kCoonsAlpha);
+
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/garment/fill_topology.hpp"
+#include "core/garment/permanence_patch.hpp"
+#include "core/mesh/quad_mesh.hpp"
+
+namespace core {
+
+/// 2 to 8 sides in order, each a polyline of 2 points or more that starts where the one before ends; the last ends
+/// where the first starts. Any unit. Anti-clockwise seen from the outer side of the cloth.
+struct RegionOutline {
+    std::vector<std::vector<Vec3>> sides;
+};
+
+/// How far the end of a side may lie from the start of the next, as a share of the outline's size.
+inline constexpr double kJoinTolerance = 1e-6;
+
+/// The boundary as one ring, each side without its last point. ErrorCode::BadOutline, with the number of the side from
+/// 1 on, for a wrong number of sides, a side of one point or of no length, two points in a row at one place, a
+/// coordinate that is not finite, sides that do not join, and an outline that meets itself. n log n for outlines of
+/// usual shape.
+[[nodiscard]] Result<std::vector<Vec3>> outline_ring(const RegionOutline& outline);
+
+/// fill_topology for the sides of an outline.
+[[nodiscard]] Result<RegionTopology> outline_topology(const RegionOutline& outline);
+
+struct FilledRegion {
+    RegionTopology topology;
+    QuadMesh mesh;       ///< its first topology.boundary vertices are the outline's points
+    double alpha = 0.0;  ///< in use, see fill_ring
+};
+
+/// Places the inner vertices of `topology` for a boundary ring. Where the ring lies in a plane and `alpha` lets quads
+/// fold over though a larger one does not, the nearest of alpha/2, alpha/4, 0 that keeps all quads unfolded is used;
+/// on a circle 0 always does (Tutte 1963). Cost: PermanencePatch, more than once only where quads fold.
+[[nodiscard]] FilledRegion fill_ring(RegionTopology topology, const std::vector<Vec3>& ring, double alpha);
+
+/// The three above in turn.
+[[nodiscard]] Result<FilledRegion> fill_region(const RegionOutline& outline, double alpha);
+
+}  // namespace core
