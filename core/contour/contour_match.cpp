@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <tuple>
 
 #include "core/match/lanes.hpp"
@@ -19,8 +20,11 @@ constexpr double kCoverWeight = 2.565;
 
 // Sixteen short integers worked on at once; whole numbers are equal on every machine.
 using Shorts = std::int16_t __attribute__((vector_size(32)));
-using LooseShorts = std::int16_t __attribute__((vector_size(32), aligned(2), may_alias));
-using LargeBytes = std::uint8_t __attribute__((vector_size(16), aligned(1), may_alias));
+/// They in an array of short integers, wherever it lies.
+struct __attribute__((packed, may_alias)) LooseShorts {
+    Shorts v;
+};
+using Bytes = std::uint8_t __attribute__((vector_size(16)));
 constexpr std::size_t kWide = 16;
 constexpr std::size_t kBlocks = kFramePoints / kWide;
 constexpr std::int16_t kNever = 30'000;  // above every cost of an alignment, and no overflow when a step is added
@@ -45,18 +49,18 @@ CROQUIS_LANES_CLONES int fill_differences(const Points& low_a, const Points& hig
         for (std::size_t k = 0; k < kFrameChannels; ++k) {
             const Shorts low = Shorts{} + low_a[i][k], high = Shorts{} + high_a[i][k];
             for (std::size_t g = 0; g < kBlocks; ++g) {
-                const Shorts above = *reinterpret_cast<const LooseShorts*>(&low_b[k][g * kWide]) - high;
-                const Shorts below = low - *reinterpret_cast<const LooseShorts*>(&high_b[k][g * kWide]);
+                const Shorts above = reinterpret_cast<const LooseShorts*>(&low_b[k][g * kWide])->v - high;
+                const Shorts below = low - reinterpret_cast<const LooseShorts*>(&high_b[k][g * kWide])->v;
                 const Shorts gap = above > below ? above : below;
                 sum[g] += gap > 0 ? gap : Shorts{};
             }
         }
         for (std::size_t g = 0; g < kBlocks; ++g) {
             nearest[g] = sum[g] < nearest[g] ? sum[g] : nearest[g];
-            *reinterpret_cast<LooseShorts*>(&out[i][g * kWide]) = sum[g];
-            *reinterpret_cast<LooseShorts*>(&out[i][(kBlocks + g) * kWide]) = sum[g];
+            reinterpret_cast<LooseShorts*>(&out[i][g * kWide])->v = sum[g];
+            reinterpret_cast<LooseShorts*>(&out[i][(kBlocks + g) * kWide])->v = sum[g];
         }
-        *reinterpret_cast<LooseShorts*>(&out[i][2 * kBlocks * kWide]) = sum[0];
+        reinterpret_cast<LooseShorts*>(&out[i][2 * kBlocks * kWide])->v = sum[0];
     }
     int bound = 0;
     for (const Shorts& n : nearest) {
@@ -84,7 +88,7 @@ CROQUIS_LANES_CLONES int least_alignment(const Differences& differences) {
             Shorts before = never;
 #pragma GCC unroll 20
             for (std::size_t d = 0; d < kBand; ++d) {
-                const Shorts paired = cost[d] + *reinterpret_cast<const LooseShorts*>(row + d);
+                const Shorts paired = cost[d] + reinterpret_cast<const LooseShorts*>(row + d)->v;
                 const Shorts above = d + 1 < kBand ? cost[d + 1] : never;
                 const Shorts left = (before < above ? before : above) + left_out;
                 before = paired < left ? paired : left;
@@ -105,15 +109,16 @@ CROQUIS_LANES_CLONES int least_cover_difference(const ContourDescriptor& a, cons
     alignas(32) std::int16_t other[2][kPolarRings][2 * kPolarSectors];
     for (std::size_t r = 0; r < kPolarRings; ++r) {
         for (std::size_t h = 0; h < kHalves; ++h) {
-            const auto& from_a = *reinterpret_cast<const LargeBytes*>(&a.cover[r][h * kWide]);
-            const auto& from_b = *reinterpret_cast<const LargeBytes*>(&b.cover[r][h * kWide]);
+            Bytes from_a, from_b;
+            std::memcpy(&from_a, &a.cover[r][h * kWide], kWide);
+            std::memcpy(&from_b, &b.cover[r][h * kWide], kWide);
             const Shorts wide = __builtin_convertvector(from_b, Shorts);
             const Shorts turned =
                 __builtin_shufflevector(wide, wide, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
-            *reinterpret_cast<Shorts*>(&own[r][h * kWide]) = __builtin_convertvector(from_a, Shorts);
+            reinterpret_cast<LooseShorts*>(&own[r][h * kWide])->v = __builtin_convertvector(from_a, Shorts);
             for (std::size_t twice = 0; twice < 2; ++twice) {
-                *reinterpret_cast<Shorts*>(&other[0][r][(twice * kHalves + h) * kWide]) = wide;
-                *reinterpret_cast<Shorts*>(&other[1][r][(twice * kHalves + kHalves - 1 - h) * kWide]) = turned;
+                reinterpret_cast<LooseShorts*>(&other[0][r][(twice * kHalves + h) * kWide])->v = wide;
+                reinterpret_cast<LooseShorts*>(&other[1][r][(twice * kHalves + kHalves - 1 - h) * kWide])->v = turned;
             }
         }
     }
@@ -123,8 +128,8 @@ CROQUIS_LANES_CLONES int least_cover_difference(const ContourDescriptor& a, cons
         for (std::size_t r = 0; r < kPolarRings; ++r) {
             const std::int16_t* row = &other[turn / kPolarSectors][r][turn % kPolarSectors];
             for (std::size_t h = 0; h < kHalves; ++h) {
-                const Shorts d = *reinterpret_cast<const Shorts*>(&own[r][h * kWide]) -
-                                 *reinterpret_cast<const LooseShorts*>(row + h * kWide);
+                const Shorts d = reinterpret_cast<const LooseShorts*>(&own[r][h * kWide])->v -
+                                 reinterpret_cast<const LooseShorts*>(row + h * kWide)->v;
                 sum += d < 0 ? -d : d;
             }
         }

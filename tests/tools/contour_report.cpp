@@ -23,6 +23,7 @@
 #include "core/exchange/list_file.hpp"
 #include "core/match/reading_match.hpp"
 #include "core/parts/readings.hpp"
+#include "core/rerank/set_rerank.hpp"
 #include "core/silhouette/contour.hpp"
 
 namespace {
@@ -207,6 +208,7 @@ void print_with_parts(const std::vector<Shape>& shapes, const Matrix& contour, i
         char name[40];
         std::snprintf(name, sizeof name, "contour + %.2f parts", weight);
         print_test(name, fused, classes, ranks);
+        print_test("    reranked", core::reranked_distances(fused, n), classes, ranks);
     }
 }
 
@@ -346,7 +348,12 @@ int main(int argc, char** argv) {
     std::printf("%zu shapes\n", shapes.size());
     const Matrix contour = contour_matrix(shapes);
     print_test("contour", contour, classes_of(shapes), ranks);
-    std::printf("median distance between classes %.4f\n", median_between_classes(shapes, contour));
+    const double start = now_us();
+    const Matrix reranked = core::reranked_distances(contour, shapes.size());
+    const double rerank_ms = (now_us() - start) / 1000.0;
+    print_test("contour, reranked", reranked, classes_of(shapes), ranks);
+    std::printf("re-ranking %.0f ms; median distance between classes %.4f\n", rerank_ms,
+                median_between_classes(shapes, contour));
     print_spared(shapes, contour);
     if (parts) print_with_parts(shapes, contour, ranks);
     if (every > 0) print_stability(shapes, every);
