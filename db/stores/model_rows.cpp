@@ -7,6 +7,7 @@
 
 #include "core/base/checksum.hpp"
 #include "db/codec/camera_codec.hpp"
+#include "db/codec/contour_codec.hpp"
 #include "db/codec/descriptor_codec.hpp"
 #include "db/codec/mesh_codec.hpp"
 #include "db/codec/points_codec.hpp"
@@ -18,7 +19,7 @@ namespace {
 constexpr const char* kNotAsWritten = "it is damaged (its checksum differs); build the model again";
 
 struct EncodedView {
-    Blob camera, outline, readings;
+    Blob camera, outline, readings, contour;
 };
 
 struct EncodedModel {
@@ -48,7 +49,9 @@ core::Result<EncodedView> encode_view(const ModelView& view) {
     all.insert(all.end(), view.further.begin(), view.further.end());
     core::Result<Blob> readings = encode_readings(all);
     if (!readings) return core::unexpected(readings.error());
-    return EncodedView{std::move(*camera), std::move(*outline), std::move(*readings)};
+    core::Result<Blob> contour = encode_contour(view.contour);
+    if (!contour) return core::unexpected(contour.error());
+    return EncodedView{std::move(*camera), std::move(*outline), std::move(*readings), std::move(*contour)};
 }
 
 core::Result<EncodedModel> encode_model(const ModelRecord& model) {
@@ -122,7 +125,7 @@ std::uint64_t checksum_of(const std::string& text) {
     return core::fnv1a64(std::as_bytes(std::span(text)));
 }
 
-ModelWriter::ModelWriter(const Database& database, std::array<Statement, 8> statements)
+ModelWriter::ModelWriter(const Database& database, std::array<Statement, 9> statements)
     : database_(&database),
       find_(std::move(statements[0])),
       insert_(std::move(statements[1])),
@@ -131,10 +134,11 @@ ModelWriter::ModelWriter(const Database& database, std::array<Statement, 8> stat
       insert_mesh_(std::move(statements[4])),
       delete_views_(std::move(statements[5])),
       delete_mesh_(std::move(statements[6])),
-      insert_thumbnail_(std::move(statements[7])) {}
+      insert_thumbnail_(std::move(statements[7])),
+      insert_contour_(std::move(statements[8])) {}
 
 core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
-    core::Result<std::array<Statement, 8>> statements = prepare_all<8>(
+    core::Result<std::array<Statement, 9>> statements = prepare_all<9>(
         database, {"SELECT id FROM model WHERE source_path = ?",
                    "INSERT INTO model (source_path, name, class_name, content_hash, file_size, build_id, checksum) "
                    "VALUES (?, ?, ?, ?, ?, ?, ?)",
@@ -145,7 +149,8 @@ core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
                    "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                    "INSERT INTO display_mesh (model_id, mesh, mesh_checksum) VALUES (?, ?, ?)",
                    "DELETE FROM view WHERE model_id = ?", "DELETE FROM display_mesh WHERE model_id = ?",
-                   "INSERT INTO thumbnail (model_id, number, png, png_checksum) VALUES (?, ?, ?, ?)"});
+                   "INSERT INTO thumbnail (model_id, number, png, png_checksum) VALUES (?, ?, ?, ?)",
+                   "INSERT INTO contour (model_id, number, contour, contour_checksum) VALUES (?, ?, ?, ?)"});
     if (!statements) return core::unexpected(statements.error());
     return ModelWriter(database, std::move(*statements));
 }
@@ -199,6 +204,11 @@ core::Result<std::int64_t> ModelWriter::write(const ModelRecord& model, std::int
         bind_with_checksum(insert_view_, encoded->views[i].outline);
         bind_with_checksum(insert_view_, encoded->views[i].readings);
         core::Result<void> done = insert_view_.run();
+        if (done) {
+            insert_contour_.bind(*id).bind(i);
+            bind_with_checksum(insert_contour_, encoded->views[i].contour);
+            done = insert_contour_.run();
+        }
         if (done && !view.thumbnail.empty()) {
             insert_thumbnail_.bind(*id).bind(i);
             bind_with_checksum(insert_thumbnail_, view.thumbnail);
@@ -212,15 +222,16 @@ core::Result<std::int64_t> ModelWriter::write(const ModelRecord& model, std::int
     return id;
 }
 
-ModelReader::ModelReader(std::array<Statement, 5> statements)
+ModelReader::ModelReader(std::array<Statement, 6> statements)
     : model_(std::move(statements[0])),
       view_(std::move(statements[1])),
       mesh_(std::move(statements[2])),
       reading_(std::move(statements[3])),
-      thumbnail_(std::move(statements[4])) {}
+      thumbnail_(std::move(statements[4])),
+      contour_(std::move(statements[5])) {}
 
 core::Result<ModelReader> ModelReader::prepare(const Database& database) {
-    core::Result<std::array<Statement, 5>> statements = prepare_all<5>(
+    core::Result<std::array<Statement, 6>> statements = prepare_all<6>(
         database, {"SELECT source_path, name, class_name, content_hash, file_size, build_id, checksum FROM model "
                    "WHERE id = ?",
                    "SELECT camera_number, skeletal_length, asymmetry, checksum, camera, camera_checksum, outline, "
@@ -228,7 +239,8 @@ core::Result<ModelReader> ModelReader::prepare(const Database& database) {
                    "SELECT mesh, mesh_checksum FROM display_mesh WHERE model_id = ?",
                    "SELECT reading, descriptor, descriptor_checksum FROM reading WHERE model_id = ? AND number = ? "
                    "ORDER BY reading",
-                   "SELECT png, png_checksum FROM thumbnail WHERE model_id = ? AND number = ?"});
+                   "SELECT png, png_checksum FROM thumbnail WHERE model_id = ? AND number = ?",
+                   "SELECT contour, contour_checksum FROM contour WHERE model_id = ? AND number = ?"});
     if (!statements) return core::unexpected(statements.error());
     return ModelReader(std::move(*statements));
 }
@@ -304,6 +316,19 @@ void ModelReader::read_view(int number, ModelRecord& model, std::vector<Damage>&
         view.further.assign(std::make_move_iterator(readings.begin() + 1), std::make_move_iterator(readings.end()));
     }
     if (view.outline.empty()) view.outline = view.descriptor.samples;
+    read_contour(number, model, damaged);
+}
+
+void ModelReader::read_contour(int number, ModelRecord& model, std::vector<Damage>& damaged) {
+    const Damage damage{model.id, model.name, "contour of view " + std::to_string(number), {}};
+    const core::Result<bool> row = contour_.bind(model.id).bind(number).step();
+    if (row && *row) {
+        read_blob(contour_, 0, decode_contour, model.views[static_cast<std::size_t>(number)].contour, damage, damaged);
+    } else {
+        damaged.push_back(damage);
+        damaged.back().message = row ? "it is missing; build the model again" : row.error().message;
+    }
+    contour_.reset();
 }
 
 void ModelReader::read_old_readings(int number, ModelRecord& model, std::vector<Damage>& damaged) {
@@ -406,7 +431,9 @@ bool ModelReader::is_view_whole(std::int64_t id, int number) {
         all_rows(reading_, 0, [&](int row) { return reading_.integer(0) == row && is_blob_whole(reading_, 1); });
     thumbnail_.bind(id).bind(number);
     const bool thumbnail = all_rows(thumbnail_, 0, [&](int) { return is_blob_whole(thumbnail_, 0); });
-    return view && readings && thumbnail;
+    contour_.bind(id).bind(number);
+    const bool contour = all_rows(contour_, 1, [&](int) { return is_blob_whole(contour_, 0); });
+    return view && readings && thumbnail && contour;
 }
 
 }  // namespace db

@@ -1,6 +1,6 @@
 #pragma once
-// One model <-> its rows in `model`, `view`, `thumbnail` and `display_mesh`, checksums included. Of use inside
-// db/stores only.
+// One model <-> its rows in `model`, `view`, `contour`, `thumbnail` and `display_mesh`, checksums included. Of use
+// inside db/stores only.
 
 #include <array>
 #include <optional>
@@ -21,11 +21,12 @@ class ModelWriter {
     [[nodiscard]] core::Result<void> update(std::int64_t id, const ModelRecord& model, std::int64_t build_id);
 
   private:
-    ModelWriter(const Database& database, std::array<Statement, 8> statements);
+    ModelWriter(const Database& database, std::array<Statement, 9> statements);
     [[nodiscard]] core::Result<std::int64_t> write_model_row(const ModelRecord& model, std::int64_t build_id);
 
     const Database* database_;
-    Statement find_, insert_, update_, insert_view_, insert_mesh_, delete_views_, delete_mesh_, insert_thumbnail_;
+    Statement find_, insert_, update_, insert_view_, insert_mesh_, delete_views_, delete_mesh_, insert_thumbnail_,
+        insert_contour_;
 };
 
 /// Reads models part by part, noting what is damaged and going on. Never throws a whole model away for its mesh.
@@ -47,13 +48,14 @@ class ModelReader {
     [[nodiscard]] std::int64_t build_id() const { return build_id_; }
 
   private:
-    explicit ModelReader(std::array<Statement, 5> statements);
+    explicit ModelReader(std::array<Statement, 6> statements);
     [[nodiscard]] bool is_view_whole(std::int64_t id, int number);
     void read_view(int number, ModelRecord& model, std::vector<Damage>& damaged);
+    void read_contour(int number, ModelRecord& model, std::vector<Damage>& damaged);
     /// Until schema 2 a view's row held its first reading and `reading` the others; now the row holds all.
     void read_old_readings(int number, ModelRecord& model, std::vector<Damage>& damaged);
 
-    Statement model_, view_, mesh_, reading_, thumbnail_;
+    Statement model_, view_, mesh_, reading_, thumbnail_, contour_;
     std::int64_t build_id_ = 0;
 };
 

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/contour/contour_descriptor.hpp"
 #include "core/geometry/point.hpp"
 #include "core/mesh/triangle_mesh.hpp"
 #include "core/parts/descriptor.hpp"
@@ -33,6 +34,7 @@ struct ModelView {
     int camera_number = 0;  ///< among the 50 of 7.1.1, from 0
     core::Polygon outline;  ///< contour in the image plane [-1, 1] x [-1, 1], y up
     core::ShapeDescriptor descriptor;
+    core::ContourDescriptor contour;             ///< of the same outline
     std::vector<core::ShapeDescriptor> further;  ///< readings 1, 2 … of the same outline; may be empty
     double skeletal_length = 0.0;                ///< 7.1.2
     double asymmetry = 0.0;                      ///< 7.1.2, distance to the reversed self
@@ -65,7 +67,8 @@ struct ModelEntry {
 struct Damage {
     std::int64_t model_id = 0;  ///< 0: the file as a whole
     std::string model;          ///< name; empty for the file as a whole
-    std::string part;  ///< "record", "view 1", "camera of view 0", "outline of …", "descriptor of …", "thumbnail of …",
+    std::string part;  ///< "record", "view 1", "camera of view 0", "outline of …", "descriptor of …", "contour of …",
+                       ///< "thumbnail of …",
                        ///< "display mesh", "file"
     std::string message;
     /// "model 7 (horse), descriptor of view 1: it is damaged (…)"

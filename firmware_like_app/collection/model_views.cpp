@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "core/contour/contour_descriptor.hpp"
 #include "core/exchange/png_writer.hpp"
 #include "core/match/match.hpp"
 #include "core/mesh/compact.hpp"
@@ -17,7 +18,7 @@
 namespace app {
 
 std::string parameters_text(const ViewParameters& v) {
-    constexpr int kDescriberVersion = 3;  // raise when the same parameters lead to another descriptor
+    constexpr int kDescriberVersion = 4;  // raise when the same parameters lead to another descriptor
     const core::ShapeParameters& p = v.shape;
     char text[512];
     std::snprintf(text, sizeof text,
@@ -81,6 +82,9 @@ core::Result<void> describe_model(core::TriangleMesh mesh, const ViewParameters&
     if (!chosen) return core::unexpected(chosen.error());
     record.views = {described.at(chosen->first), described.at(chosen->second)};
     for (db::ModelView& view : record.views) {
+        const core::Result<core::ContourDescriptor> contour = core::describe_contour(view.outline);
+        if (!contour) return core::unexpected(contour.error());
+        view.contour = *contour;
         view.outline = view.descriptor.samples;
     }
     core::Result<core::TriangleMesh> display = core::simplified_mesh(*normal, parameters.display_triangles);

@@ -19,6 +19,9 @@ core::Result<SketchDescription> describe_silhouette(const core::BinaryImage& ima
     core::Result<core::DescribedShape> shape = core::describe_in_steps(*contour, parameters);
     if (!shape) return core::unexpected(shape.error());
     out.shape = std::move(*shape);
+    const core::Result<core::ContourDescriptor> whole = core::describe_contour(*contour);
+    if (!whole) return core::unexpected(whole.error());
+    out.contour = *whole;
     out.describe_ms = describe_watch.ms();
     return out;
 }

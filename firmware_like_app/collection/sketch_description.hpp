@@ -1,7 +1,8 @@
 #pragma once
-// From a drawing or a picture to its silhouette and part descriptor, with the time each step took.
+// From a drawing or a picture to its silhouette and both descriptors, with the time each step took.
 
 #include "core/base/result.hpp"
+#include "core/contour/contour_descriptor.hpp"
 #include "core/exchange/sketch_reader.hpp"
 #include "core/parts/describe.hpp"
 #include "core/silhouette/closing.hpp"
@@ -9,8 +10,9 @@
 namespace app {
 
 struct SketchDescription {
-    core::DescribedShape shape;  ///< the descriptor with its steps
-    core::DrawingRaster raster;  ///< the descriptor's points, y turned down again, are raster pixels of this
+    core::DescribedShape shape;       ///< the part descriptor with its steps
+    core::ContourDescriptor contour;  ///< the second reading of the same outline
+    core::DrawingRaster raster;       ///< the descriptor's points, y turned down again, are raster pixels of this
     double silhouette_ms = 0.0;
     double describe_ms = 0.0;
 

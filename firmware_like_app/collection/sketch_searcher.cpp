@@ -85,14 +85,14 @@ SearchAnswer SketchSearcher::search(const core::Drawing& drawing, std::stop_toke
     answer.silhouette_ms = query->silhouette_ms;
     answer.describe_ms = query->describe_ms;
     const Stopwatch watch;
-    const core::MatchableShape shape = core::matchable(query->shape.descriptor);
-    std::vector<RankedModel> ranked = collection_.rank(shape, jobs_, stop);
+    const core::ComparableShape shape = core::comparable(query->shape.descriptor, query->contour);
+    const std::vector<RankedModel> ranked =
+        collection_.nearest(shape, static_cast<std::size_t>(best_count_), jobs_, stop);
     if (stop.stop_requested()) return answer;
-    ranked.resize(std::min(ranked.size(), static_cast<std::size_t>(best_count_)));
     for (const RankedModel& r : ranked) {
         const CollectionModel& model = collection_.models()[r.model];
         const auto view = static_cast<std::size_t>(r.view);
-        const core::Match match = matcher_.match(shape, model.views[view]);
+        const core::Match match = matcher_.match(shape.parts, model.views[view].parts);
         FoundModel found;
         found.id = model.record.id;
         found.name = model.record.name;

@@ -32,16 +32,15 @@ struct Answer {
     double search_ms = 0.0;
 };
 
-Answer search(const core::ShapeDescriptor& query, const Collection& collection, const QueryOptions& options) {
+Answer search(const SketchDescription& query, const Collection& collection, const QueryOptions& options) {
     const Stopwatch watch;
-    const core::MatchableShape shape = core::matchable(query);
+    const core::ComparableShape shape = core::comparable(query.shape.descriptor, query.contour);
     Answer answer;
-    answer.ranked = collection.rank(shape, options.jobs);
-    answer.ranked.resize(std::min(answer.ranked.size(), static_cast<std::size_t>(options.top)));
+    answer.ranked = collection.nearest(shape, static_cast<std::size_t>(options.top), options.jobs);
     core::Matcher matcher;
     for (const RankedModel& r : answer.ranked) {
         answer.matches.push_back(
-            matcher.match(shape, collection.models()[r.model].views[static_cast<std::size_t>(r.view)]));
+            matcher.match(shape.parts, collection.models()[r.model].views[static_cast<std::size_t>(r.view)].parts));
     }
     answer.search_ms = watch.ms();
     return answer;
@@ -94,7 +93,7 @@ void run_query(const QueryOptions& options, CommandState& state) {
     }
     const core::Result<SketchDescription> query = describe_file(options.sketch);
     if (!query) return fail(state, query.error());
-    const Answer answer = search(query->shape.descriptor, *collection, options);
+    const Answer answer = search(*query, *collection, options);
     if (!options.picture.empty()) {
         const auto written = draw(answer, *collection, query->shape.descriptor, options.picture);
         if (!written) return fail(state, written.error());
@@ -102,7 +101,7 @@ void run_query(const QueryOptions& options, CommandState& state) {
     if (options.json) return print_json(answer, *collection, *query);
     for (std::size_t k = 0; k < answer.ranked.size(); ++k) {
         const db::ModelRecord& model = collection->models()[answer.ranked[k].model].record;
-        std::printf("%3zu  %-28s %-16s %8.2f\n", k + 1, model.name.c_str(), model.class_name.c_str(),
+        std::printf("%3zu  %-28s %-16s %8.3f\n", k + 1, model.name.c_str(), model.class_name.c_str(),
                     answer.ranked[k].distance);
     }
     std::printf("silhouette %.1f ms, description %.1f ms, search %.1f ms\n", query->silhouette_ms, query->describe_ms,

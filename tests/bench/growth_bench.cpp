@@ -139,17 +139,17 @@ void build(const std::vector<db::ModelRecord>& base, std::size_t total, const st
     row.bytes = static_cast<double>(value(index.info()).bytes) / static_cast<double>(total);
 }
 
-void search(const std::string& database, const std::vector<core::MatchableShape>& queries, int jobs, Row& row) {
+void search(const std::string& database, const std::vector<core::ComparableShape>& queries, int jobs, Row& row) {
     const double before = resident_bytes();
     const app::Stopwatch watch;
     const app::Collection collection = value(app::Collection::load(database));
     row.load_ms = watch.ms();
     row.memory = (resident_bytes() - before) / static_cast<double>(row.models);
     std::vector<double> times, cpu_times;
-    for (const core::MatchableShape& query : queries) {
+    for (const core::ComparableShape& query : queries) {
         const app::Stopwatch one;
         const double cpu_before = cpu_ms();
-        if (collection.rank(query, jobs).size() != row.models)
+        if (collection.rank(query, app::Reading::Fused, jobs).size() != row.models)
             give_up({core::ErrorCode::Internal, "a model is missing", ""});
         times.push_back(one.ms());
         cpu_times.push_back(cpu_ms() - cpu_before);
@@ -306,11 +306,11 @@ int main(int argc, char** argv) {
     std::filesystem::create_directories(folder);
     const std::vector<db::ModelRecord> base = base_models(argv[1], static_cast<std::size_t>(number(3, 200)));
     if (base.empty()) give_up({core::ErrorCode::BadArgument, "there is no model in it; name another index", argv[1]});
-    std::vector<core::MatchableShape> queries;
+    std::vector<core::ComparableShape> queries;
     for (int q = 0; q < number(4, 5); ++q) {
         const db::ModelRecord drawn =
             variant(base[static_cast<std::size_t>(q) * 7 % base.size()], 1000000u + static_cast<unsigned>(q));
-        queries.push_back(core::matchable(drawn.views[0].descriptor));
+        queries.push_back(core::comparable(drawn.views[0].descriptor, drawn.views[0].contour));
     }
     std::vector<Row> rows;
     for (const int factor : kFactors) {

@@ -22,6 +22,7 @@ inline std::string index_rows(const std::string& path) {
           "' "
           "|| checksum || ' ' || hex(camera) || ' ' || hex(outline) || ' ' || hex(descriptor) FROM view "
           "ORDER BY model_id, number",
+          "SELECT model_id || ' ' || number || ' ' || hex(contour) FROM contour ORDER BY model_id, number",
           "SELECT model_id || ' ' || hex(mesh) FROM display_mesh ORDER BY model_id",
           "SELECT model_id || ' ' || number || ' ' || hex(png) FROM thumbnail ORDER BY model_id, number"}) {
         auto rows = database->prepare(sql);

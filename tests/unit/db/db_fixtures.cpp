@@ -12,6 +12,7 @@
 #include "db/codec/mesh_codec.hpp"
 #include "db/codec/points_codec.hpp"
 #include "db/migrations/migrations.hpp"
+#include "support/random_contour.hpp"
 
 namespace fixture {
 
@@ -150,6 +151,7 @@ db::ModelRecord random_model(int n) {
         view.camera_number = whole(random, 0, 49);
         view.descriptor = random_descriptor(random, whole(random, 2, 12), whole(random, 0, 6));
         view.outline = random_outline(random, 100, 1.0);
+        view.contour = support::random_contour(random);
         for (int k = 0; k < n % 3; ++k) view.further.push_back(random_descriptor(random, whole(random, 2, 6), 1));
         view.skeletal_length = real(random, 0.0, 10.0);
         view.asymmetry = real(random, 0.0, 3.0);
@@ -202,7 +204,8 @@ bool same_views(const db::ModelRecord& a, const db::ModelRecord& b) {
     const auto same_view = [](const db::ModelView& v, const db::ModelView& w) {
         return v.camera.direction == w.camera.direction && v.camera.up == w.camera.up &&
                v.camera_number == w.camera_number && v.outline == w.outline && v.descriptor == w.descriptor &&
-               v.further == w.further && v.skeletal_length == w.skeletal_length && v.asymmetry == w.asymmetry;
+               v.further == w.further && v.contour == w.contour && v.skeletal_length == w.skeletal_length &&
+               v.asymmetry == w.asymmetry;
     };
     return a.name == b.name && a.class_name == b.class_name && a.source_path == b.source_path &&
            a.content_hash == b.content_hash && a.file_size == b.file_size && same_view(a.views[0], b.views[0]) &&

@@ -54,8 +54,13 @@ TEST_CASE("damage is named by model and part, and a search goes on without the m
         Case{"UPDATE view SET descriptor = outline, descriptor_checksum = outline_checksum WHERE model_id = 3 AND "
              "number = 1",
              "model 3 (model 2), descriptor of view 1: it is damaged (it holds something else)"},
-        Case{"DELETE FROM thumbnail WHERE model_id = 3; DELETE FROM view WHERE model_id = 3 AND number = 1",
+        Case{"DELETE FROM thumbnail WHERE model_id = 3; DELETE FROM contour WHERE model_id = 3 AND number = 1; DELETE "
+             "FROM view WHERE "
+             "model_id = 3 AND number = 1",
              "model 3 (model 2), view 1: it is missing; build the model again"},
+        Case{"UPDATE contour SET contour = x'' WHERE model_id = 3 AND number = 1", of("contour of view 1")},
+        Case{"DELETE FROM contour WHERE model_id = 3 AND number = 0",
+             "model 3 (model 2), contour of view 0: it is missing; build the model again"},
         Case{"UPDATE model SET class_name = 'cow' WHERE id = 3", of("record")},
         Case{"UPDATE thumbnail SET png = zeroblob(99) WHERE model_id = 3 AND number = 1", of("thumbnail of view 1"),
              true},
