@@ -21,8 +21,8 @@
 #include "core/evaluate/retrieval_metrics.hpp"
 #include "core/exchange/image_reader.hpp"
 #include "core/exchange/list_file.hpp"
-#include "core/match/reading_match.hpp"
-#include "core/parts/readings.hpp"
+#include "core/match/match.hpp"
+#include "core/parts/describe.hpp"
 #include "core/rerank/set_rerank.hpp"
 #include "core/silhouette/contour.hpp"
 
@@ -183,24 +183,24 @@ void print_spared(const std::vector<Shape>& shapes, const Matrix& brute) {
 
 void print_with_parts(const std::vector<Shape>& shapes, const Matrix& contour, int ranks) {
     const std::size_t n = shapes.size();
-    std::vector<core::MatchableReadings> readings(n);
+    std::vector<core::MatchableShape> matchables(n);
     for (std::size_t i = 0; i < n; ++i) {
-        const core::Result<core::ShapeReadings> described = core::describe_readings(shapes[i].contour);
+        const core::Result<core::ShapeDescriptor> described = core::describe(shapes[i].contour);
         if (!described) {
             std::printf("%s: %s\n", shapes[i].path.c_str(), described.error().message.c_str());
             return;
         }
-        readings[i] = core::matchable_readings(*described);
+        matchables[i] = core::matchable(*described);
     }
     core::Matcher matcher;
     const Matrix parts =
-        matrix_of(n, [&](std::size_t i, std::size_t j) { return core::distance(matcher, readings[i], readings[j]); });
+        matrix_of(n, [&](std::size_t i, std::size_t j) { return matcher.distance(matchables[i], matchables[j]); });
     const std::vector<std::string> classes = classes_of(shapes);
     print_test("parts", parts, classes, ranks);
     const double parts_scale = median_between_classes(shapes, parts);
     const double contour_scale = median_between_classes(shapes, contour);
     std::printf("median distance between classes: parts %.4g, contour %.4g\n", parts_scale, contour_scale);
-    for (const double weight : {0.05, 0.1, 0.2, 0.35, 0.5, 1.0}) {
+    for (const double weight : {0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.5}) {
         Matrix fused(n * n);
         for (std::size_t k = 0; k < n * n; ++k) {
             fused[k] = static_cast<float>(contour[k] / contour_scale + weight * parts[k] / parts_scale);
