@@ -12,11 +12,11 @@ namespace core {
 
 namespace {
 
-constexpr int kLeftOut = 134;  // a quarter of kGreatestHeight in every channel
+constexpr int kLeftOut = 118;  // a fifth of kGreatestHeight in every channel
 constexpr std::size_t kStray = 7;
 constexpr double kPlainness = 0.5;  // keeps the complexity of two discs from dividing by next to nothing
-constexpr double kAlignmentWeight = 5.13;
-constexpr double kCoverWeight = 2.565;
+constexpr double kAlignmentWeight = 5.34;
+constexpr double kCoverWeight = 2.67;
 
 // Sixteen short integers worked on at once; whole numbers are equal on every machine.
 using Shorts = std::int16_t __attribute__((vector_size(32)));

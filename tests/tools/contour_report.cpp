@@ -183,24 +183,24 @@ void print_spared(const std::vector<Shape>& shapes, const Matrix& brute) {
 
 void print_with_parts(const std::vector<Shape>& shapes, const Matrix& contour, int ranks) {
     const std::size_t n = shapes.size();
-    std::vector<core::MatchableShape> described(n);
+    std::vector<core::MatchableShape> matchables(n);
     for (std::size_t i = 0; i < n; ++i) {
-        const core::Result<core::ShapeDescriptor> shape = core::describe(shapes[i].contour);
-        if (!shape) {
-            std::printf("%s: %s\n", shapes[i].path.c_str(), shape.error().message.c_str());
+        const core::Result<core::ShapeDescriptor> described = core::describe(shapes[i].contour);
+        if (!described) {
+            std::printf("%s: %s\n", shapes[i].path.c_str(), described.error().message.c_str());
             return;
         }
-        described[i] = core::matchable(*shape);
+        matchables[i] = core::matchable(*described);
     }
     core::Matcher matcher;
     const Matrix parts =
-        matrix_of(n, [&](std::size_t i, std::size_t j) { return matcher.distance(described[i], described[j]); });
+        matrix_of(n, [&](std::size_t i, std::size_t j) { return matcher.distance(matchables[i], matchables[j]); });
     const std::vector<std::string> classes = classes_of(shapes);
     print_test("parts", parts, classes, ranks);
     const double parts_scale = median_between_classes(shapes, parts);
     const double contour_scale = median_between_classes(shapes, contour);
     std::printf("median distance between classes: parts %.4g, contour %.4g\n", parts_scale, contour_scale);
-    for (const double weight : {0.2, 0.35, 0.5, 0.7, 1.0, 1.5}) {
+    for (const double weight : {0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.5}) {
         Matrix fused(n * n);
         for (std::size_t k = 0; k < n * n; ++k) {
             fused[k] = static_cast<float>(contour[k] / contour_scale + weight * parts[k] / parts_scale);

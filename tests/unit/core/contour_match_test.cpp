@@ -62,13 +62,13 @@ class PlainMatch {
         const double complexity = static_cast<double>(a.descriptor.complexity) + b.descriptor.complexity;
         const double alignment = std::min(align(a, b), align(a, turned));
         const double cover = std::min(cover_difference(a, b), cover_difference(a, turned));
-        return 5.13 * alignment / (80.0 * 16 * core::kGreatestHeight) / (0.5 + complexity) +
-               2.565 * cover / (255.0 * core::kPolarRings * core::kPolarSectors);
+        return 5.34 * alignment / (80.0 * 16 * core::kGreatestHeight) / (0.5 + complexity) +
+               2.67 * cover / (255.0 * core::kPolarRings * core::kPolarSectors);
     }
 
   private:
     static constexpr int kN = static_cast<int>(core::kFramePoints);
-    static constexpr int kLeftOut = 134, kStray = 7;
+    static constexpr int kLeftOut = 118, kStray = 7;
 
     static int gap(const MatchableContour& a, int i, const MatchableContour& b, int j) {
         int sum = 0;
