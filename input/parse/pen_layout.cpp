@@ -204,7 +204,9 @@ class LayoutFinder {
     /// Flags that are listed by usage where they are on.
     void add_array(PenLayout& layout, const HidField& field) {
         if (field.usage_max < field.usage || field.usage_max - field.usage > 255) return;
-        for (Usage usage = field.usage; usage <= field.usage_max; ++usage) {
+        const Usage count = field.usage_max - field.usage + 1;  // the last usage of all may be among them
+        for (Usage i = 0; i < count; ++i) {
+            const Usage usage = field.usage + i;
             const std::optional<PenRole> role = role_of(usage);
             if (!role || is_number(*role) || layout.has(*role)) continue;
             PenField f;
