@@ -157,7 +157,7 @@ class Reader {
         if (!list || list->size() != 5) return "an event needs seconds, microseconds, type, code and value";
         const std::vector<std::int64_t>& e = *list;
         const auto within = [](std::int64_t v, std::int64_t low, std::int64_t high) { return v >= low && v <= high; };
-        if (!within(e[0], 0, 9'000'000'000) || !within(e[1], 0, 999'999) || !within(e[2], 0, 0xffff) ||
+        if (!within(e[0], 0, 4'000'000'000) || !within(e[1], 0, 999'999) || !within(e[2], 0, 0xffff) ||
             !within(e[3], 0, 0xffff) || !within(e[4], INT32_MIN, INT32_MAX)) {
             return "an event holds a number that is out of range";
         }

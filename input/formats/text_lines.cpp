@@ -5,7 +5,8 @@ namespace input {
 std::optional<std::int64_t> nanoseconds_of_text(std::string_view s) {
     const std::size_t dot = s.find('.');
     const auto seconds = number_of_text<std::int64_t>(s.substr(0, dot));
-    if (!seconds || *seconds < 0 || *seconds > 9'000'000'000) return std::nullopt;
+    constexpr std::int64_t kLast_s = 4'000'000'000;  // in 2096; so that no difference of two times overflows
+    if (!seconds || *seconds < 0 || *seconds > kLast_s) return std::nullopt;
     std::int64_t fraction = 0;
     if (dot != std::string_view::npos) {
         std::string_view digits = s.substr(dot + 1);

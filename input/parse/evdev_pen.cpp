@@ -40,8 +40,9 @@ PenAxes axes_of(const EvdevDescription& d) {
 }  // namespace
 
 bool EvdevDescription::is_pen() const {
-    constexpr std::int32_t kSmallestRange = 16;  // the keys of a frame report as a tablet of one step
-    const bool place = axes[ABS_X] && axes[ABS_Y] && axes[ABS_X]->max - axes[ABS_X]->min >= kSmallestRange;
+    constexpr std::int64_t kSmallestRange = 16;  // the keys of a frame report as a tablet of one step
+    const bool place =
+        axes[ABS_X] && axes[ABS_Y] && std::int64_t{axes[ABS_X]->max} - axes[ABS_X]->min >= kSmallestRange;
     const bool stylus = keys[BTN_TOOL_PEN] || keys[BTN_STYLUS] || keys[BTN_TOOL_RUBBER] || keys[BTN_TOOL_LENS];
     return place && stylus && !axes[ABS_MT_SLOT];
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 
 namespace input {
 namespace {
@@ -204,7 +205,9 @@ class LayoutFinder {
     /// Flags that are listed by usage where they are on.
     void add_array(PenLayout& layout, const HidField& field) {
         if (field.usage_max < field.usage || field.usage_max - field.usage > 255) return;
-        for (Usage usage = field.usage; usage <= field.usage_max; ++usage) {
+        const Usage count = field.usage_max - field.usage + 1;  // the last usage of all may be among them
+        for (Usage i = 0; i < count; ++i) {
+            const Usage usage = field.usage + i;
             const std::optional<PenRole> role = role_of(usage);
             if (!role || is_number(*role) || layout.has(*role)) continue;
             PenField f;
@@ -267,11 +270,71 @@ std::int32_t number_of(std::span<const std::uint8_t> report, const PenField& f) 
     return f.negated && value != INT32_MIN ? -value : value;
 }
 
-/// The flags of one report, before they are made sense of.
+/// The member of a report that a number goes to; the roles of numbers come first, in this order.
+constexpr std::array<std::optional<std::int32_t> PenReport::*, 8> kNumbers{
+    {&PenReport::x, &PenReport::y, &PenReport::pressure, &PenReport::tilt_x, &PenReport::tilt_y, &PenReport::rotation,
+     &PenReport::distance, &PenReport::wheel}};
+
+/// The flags of one report, before they are made sense of, by their roles.
 struct Flags {
-    bool tip = false, has_tip = false, eraser = false, has_eraser = false, invert = false, in_range = false;
-    bool has_range = false;
+    std::bitset<32> there, on;
+
+    void set(PenRole role, bool value) {
+        there.set(static_cast<std::size_t>(role));
+        on.set(static_cast<std::size_t>(role), value);
+    }
+    [[nodiscard]] bool has(PenRole role) const { return there[static_cast<std::size_t>(role)]; }
+    [[nodiscard]] bool operator[](PenRole role) const { return on[static_cast<std::size_t>(role)]; }
 };
+
+/// 1 the tip, 2 and 3 the buttons.
+void read_button_code(std::uint32_t code, Flags& flags) {
+    flags.set(PenRole::Tip, code == 1);
+    flags.set(PenRole::Barrel1, code == 2);
+    flags.set(PenRole::Barrel2, code == 3);
+}
+
+void read_field(std::span<const std::uint8_t> report, const PenField& f, PenReport& r, Flags& flags) {
+    if (is_number(f.role)) {
+        r.*kNumbers[static_cast<std::size_t>(f.role)] = number_of(report, f);
+        return;
+    }
+    switch (f.role) {
+        case PenRole::SerialLow:
+            r.serial |= bits_of(report, f);
+            break;
+        case PenRole::SerialHigh:
+            r.serial |= static_cast<std::uint64_t>(bits_of(report, f)) << 32U;
+            break;
+        case PenRole::ToolId:
+            r.tool_id = bits_of(report, f);
+            break;
+        case PenRole::ButtonCode:
+            read_button_code(bits_of(report, f), flags);
+            break;
+        default:
+            flags.set(f.role, flag_of(report, f));
+    }
+}
+
+/// What the flags say of the pen, as Linux takes them: whoever turns the pen over erases only with the eraser's own
+/// flag.
+void make_sense(const PenLayout& layout, Flags flags, PenReport& r) {
+    if (layout.eraser_is_button && flags.has(PenRole::Eraser)) {
+        flags.set(PenRole::Barrel2, flags[PenRole::Barrel2] || flags[PenRole::Eraser]);
+        flags.there.reset(static_cast<std::size_t>(PenRole::Eraser));
+        flags.on.reset(static_cast<std::size_t>(PenRole::Eraser));
+    }
+    const bool turned = flags[PenRole::Invert] || flags[PenRole::Eraser];
+    const bool says_range = flags.has(PenRole::InRange) || flags.has(PenRole::Invert);
+    const bool presses = r.pressure && layout.axes.pressure && *r.pressure > layout.axes.pressure->min;
+    const bool tip = flags.has(PenRole::Tip) ? flags[PenRole::Tip] : presses;
+    r.tool = layout.mouse_puck ? PenTool::Mouse : turned ? PenTool::Eraser : PenTool::Pen;
+    r.in_range = !says_range || flags[PenRole::InRange] || turned || flags[PenRole::Tip];
+    r.tip = turned && flags.has(PenRole::Eraser) ? flags[PenRole::Eraser] : tip;
+    r.buttons = (flags[PenRole::Barrel1] ? kBarrel1 : 0) | (flags[PenRole::Barrel2] ? kBarrel2 : 0) |
+                (flags[PenRole::Barrel3] ? kBarrel3 : 0);
+}
 
 }  // namespace
 
@@ -289,84 +352,8 @@ bool PenLayout::decode(std::span<const std::uint8_t> report, PenReport& out) con
     if (!fits(report)) return false;
     PenReport r;
     Flags flags;
-    for (const PenField& f : fields) {
-        switch (f.role) {
-            case PenRole::X:
-                r.x = number_of(report, f);
-                break;
-            case PenRole::Y:
-                r.y = number_of(report, f);
-                break;
-            case PenRole::Pressure:
-                r.pressure = number_of(report, f);
-                break;
-            case PenRole::TiltX:
-                r.tilt_x = number_of(report, f);
-                break;
-            case PenRole::TiltY:
-                r.tilt_y = number_of(report, f);
-                break;
-            case PenRole::Rotation:
-                r.rotation = number_of(report, f);
-                break;
-            case PenRole::Distance:
-                r.distance = number_of(report, f);
-                break;
-            case PenRole::Wheel:
-                r.wheel = number_of(report, f);
-                break;
-            case PenRole::Tip:
-                flags.has_tip = true;
-                flags.tip = flag_of(report, f);
-                break;
-            case PenRole::Barrel1:
-                r.buttons |= flag_of(report, f) ? kBarrel1 : 0;
-                break;
-            case PenRole::Barrel2:
-                r.buttons |= flag_of(report, f) ? kBarrel2 : 0;
-                break;
-            case PenRole::Barrel3:
-                r.buttons |= flag_of(report, f) ? kBarrel3 : 0;
-                break;
-            case PenRole::InRange:
-                flags.has_range = true;
-                flags.in_range = flag_of(report, f);
-                break;
-            case PenRole::Invert:
-                flags.invert = flag_of(report, f);
-                flags.has_range = true;
-                break;
-            case PenRole::Eraser:
-                if (eraser_is_button) {
-                    r.buttons |= flag_of(report, f) ? kBarrel2 : 0;
-                } else {
-                    flags.has_eraser = true;
-                    flags.eraser = flag_of(report, f);
-                }
-                break;
-            case PenRole::SerialLow:
-                r.serial |= bits_of(report, f);
-                break;
-            case PenRole::SerialHigh:
-                r.serial |= static_cast<std::uint64_t>(bits_of(report, f)) << 32U;
-                break;
-            case PenRole::ToolId:
-                r.tool_id = bits_of(report, f);
-                break;
-            case PenRole::ButtonCode: {
-                const std::uint32_t code = bits_of(report, f);
-                flags.has_tip = true;
-                flags.tip = code == 1;
-                r.buttons |= code == 2 ? kBarrel1 : code == 3 ? kBarrel2 : 0;
-                break;
-            }
-        }
-    }
-    if (!flags.has_tip && r.pressure && axes.pressure) flags.tip = *r.pressure > axes.pressure->min;
-    const bool turned = flags.invert || flags.eraser;
-    r.tool = mouse_puck ? PenTool::Mouse : turned ? PenTool::Eraser : PenTool::Pen;
-    r.in_range = !flags.has_range || flags.in_range || flags.invert || flags.eraser || (flags.has_tip && flags.tip);
-    r.tip = turned && flags.has_eraser ? flags.eraser : flags.tip;
+    for (const PenField& f : fields) read_field(report, f, r, flags);
+    make_sense(*this, flags, r);
     if (pressure_needs_tip && !r.tip && r.pressure && axes.pressure) r.pressure = axes.pressure->min;
     out = r;
     return true;

@@ -4,8 +4,12 @@
 //     0xC0 … 0xC3  a pen comes: its serial number and the number of its model
 //     0x80, 0x81   it leaves
 //     0xA0 …       its state; bits 1 to 4 say of which kind: 0 to 3 pressure, 5 rotation, 10 the wheel of an airbrush
+//
+// The first two generations see two pens at once: the lowest bit says which of them a packet is of. Later ones have the
+// lowest bit of the pressure there.
 
 #include <algorithm>
+#include <array>
 
 #include "input/parse/pen_decoder.hpp"
 
@@ -35,14 +39,14 @@ class WacomIntuosDecoder final : public PenDecoder {
             return false;
         }
         axes = &options_.axes;
+        tool_ = &tools_[options_.fine ? 0U : p[1] & 1U];
         if ((p[1] & 0xfcU) == 0xc0U) return announce(p);
         if ((p[1] & 0xfeU) == 0x80U) {
-            state_ = {};
-            announced_ = false;
-            out = state_;
+            *tool_ = {};
+            out = tool_->state;
             return true;
         }
-        if (!announced_ || (p[1] & 0xa0U) != 0xa0U || (p[1] & 0x40U) != 0) return false;
+        if (!tool_->announced || (p[1] & 0xe0U) != 0xa0U) return false;
         switch ((p[1] >> 1U) & 0x0fU) {
             case 0:
             case 1:
@@ -60,7 +64,7 @@ class WacomIntuosDecoder final : public PenDecoder {
                 return false;
         }
         place(p);
-        out = state_;
+        out = tool_->state;
         return true;
     }
 
@@ -70,13 +74,13 @@ class WacomIntuosDecoder final : public PenDecoder {
 
   private:
     bool announce(std::span<const std::uint8_t> p) {
-        state_ = {};
-        state_.serial =
+        tool_->state = {};
+        tool_->state.serial =
             static_cast<std::uint32_t>((p[3] & 0x0fU) << 28U | p[4] << 20U | p[5] << 12U | p[6] << 4U | p[7] >> 4U);
-        state_.tool_id =
+        tool_->state.tool_id =
             static_cast<std::uint32_t>(p[2] << 4U | p[3] >> 4U | (p[7] & 0x0fU) << 20U | (p[8] & 0xf0U) << 12U);
-        state_.tool = wacom_tool(state_.tool_id);
-        announced_ = true;
+        tool_->state.tool = wacom_tool(tool_->state.tool_id);
+        tool_->announced = true;
         return false;  // no position yet
     }
 
@@ -86,39 +90,43 @@ class WacomIntuosDecoder final : public PenDecoder {
             x = x << 1U | ((p[9] >> 1U) & 1U);
             y = y << 1U | (p[9] & 1U);
         }
-        state_.x = x;
-        state_.y = y;
-        state_.distance = p[9] >> 2U;
-        state_.in_range = true;
+        tool_->state.x = x;
+        tool_->state.y = y;
+        tool_->state.distance = p[9] >> 2U;
+        tool_->state.in_range = true;
     }
 
     void pen(std::span<const std::uint8_t> p) {
         const std::int32_t eleven_bits = p[6] << 3U | (p[7] & 0xc0U) >> 5U | (p[1] & 1U);
         const bool ten = options_.axes.pressure && options_.axes.pressure->max < 2047;
-        state_.pressure = ten ? eleven_bits >> 1U : eleven_bits;
-        state_.tip = *state_.pressure > kTouch;
-        state_.buttons = ((p[1] & 2U) != 0 ? kBarrel1 : 0) | ((p[1] & 4U) != 0 ? kBarrel2 : 0);
+        tool_->state.pressure = ten ? eleven_bits >> 1U : eleven_bits;
+        tool_->state.tip = *tool_->state.pressure > kTouch;
+        tool_->state.buttons = ((p[1] & 2U) != 0 ? kBarrel1 : 0) | ((p[1] & 4U) != 0 ? kBarrel2 : 0);
         tilt(p);
     }
 
     void rotation(std::span<const std::uint8_t> p) {
         const std::int32_t t = p[6] << 3U | ((p[7] >> 5U) & 7U);
-        state_.rotation = (p[7] & 0x20U) != 0 ? (t > 900 ? (t - 1) / 2 - 1350 : (t - 1) / 2 + 450) : 450 - t / 2;
+        tool_->state.rotation = (p[7] & 0x20U) != 0 ? (t > 900 ? (t - 1) / 2 - 1350 : (t - 1) / 2 + 450) : 450 - t / 2;
     }
 
     void wheel(std::span<const std::uint8_t> p) {
-        state_.wheel = p[6] << 2U | ((p[7] >> 6U) & 3U);
+        tool_->state.wheel = p[6] << 2U | ((p[7] >> 6U) & 3U);
         tilt(p);
     }
 
     void tilt(std::span<const std::uint8_t> p) {
-        state_.tilt_x = static_cast<std::int32_t>(((p[7] << 1U) & 0x7eU) | p[8] >> 7U) - 64;
-        state_.tilt_y = static_cast<std::int32_t>(p[8] & 0x7fU) - 64;
+        tool_->state.tilt_x = static_cast<std::int32_t>(((p[7] << 1U) & 0x7eU) | p[8] >> 7U) - 64;
+        tool_->state.tilt_y = static_cast<std::int32_t>(p[8] & 0x7fU) - 64;
     }
 
     WacomIntuosOptions options_;
-    PenReport state_;
-    bool announced_ = false;
+    struct Tool {
+        PenReport state;
+        bool announced = false;
+    };
+    std::array<Tool, 2> tools_;
+    Tool* tool_ = tools_.data();  ///< of the packet that is being read
 };
 
 }  // namespace

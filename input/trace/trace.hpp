@@ -103,6 +103,9 @@ inline constexpr std::size_t kMaxTraceBytes = std::size_t{1} << 30U;
 /// Whether a file begins like a trace, damaged or not.
 [[nodiscard]] bool looks_like_trace(std::string_view text);
 
+/// A marker's text as a trace can have it: at most 1000 bytes, without line ends and other control characters, without
+/// blanks around.
+[[nodiscard]] std::string one_line(std::string_view text);
 /// " *" and the checksum, as it ends the line.
 [[nodiscard]] std::string checksum_text(std::string_view line);
 /// CRC-32 (IEEE 802.3) of a text.

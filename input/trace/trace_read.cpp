@@ -15,6 +15,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMaxLineBytes = 64 * 1024;
 constexpr std::size_t kMaxFaultsKept = 100;
+constexpr std::int64_t kFarthest_ns = 4'000'000'000'000'000'000;  // so that no difference of two times overflows
 constexpr std::string_view kMagic = "croquis-trace ";
 
 /// The line without its checksum; nothing when that is missing or wrong.
@@ -201,7 +202,7 @@ std::optional<TraceRecord> record_of(std::string_view body) {
     if (kind.size() != 1 || !device) return std::nullopt;
     if (kind == "d") return device_of(*device, trimmed(rest));
     const auto time_ns = number_of_text<std::int64_t>(take_word(rest));
-    if (!time_ns) return std::nullopt;
+    if (!time_ns || *time_ns < -kFarthest_ns || *time_ns > kFarthest_ns) return std::nullopt;
     switch (kind[0]) {
         case 'r': {
             auto bytes = bytes_of(trimmed(rest), kMaxLineBytes);
@@ -215,7 +216,7 @@ std::optional<TraceRecord> record_of(std::string_view body) {
         case 'v':
             return change_of(*device, *time_ns, rest);
         case 'm':
-            return TraceMarker{*time_ns, std::string(trimmed(rest))};
+            return TraceMarker{*time_ns, one_line(trimmed(rest))};
         default:
             return std::nullopt;
     }

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "input/formats/text_lines.hpp"
 #include "input/trace/trace.hpp"
 
 namespace input {
@@ -20,15 +21,6 @@ constexpr std::array<std::uint32_t, 256> make_crc_table() {
     return table;
 }
 constexpr std::array<std::uint32_t, 256> kCrcTable = make_crc_table();
-
-/// Line ends would break the file apart.
-std::string one_line(std::string_view text) {
-    std::string out(text.substr(0, 1000));
-    for (char& c : out) {
-        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-    }
-    return out;
-}
 
 void append_hex(std::string& out, const std::vector<std::uint8_t>& bytes) {
     constexpr std::string_view kDigits = "0123456789abcdef";
@@ -173,6 +165,14 @@ std::uint32_t crc32(std::string_view text) {
     std::uint32_t c = 0xFFFFFFFFU;
     for (const char byte : text) c = kCrcTable[(c ^ static_cast<std::uint8_t>(byte)) & 0xFFU] ^ (c >> 8U);
     return ~c;
+}
+
+std::string one_line(std::string_view text) {
+    std::string out(trimmed(text.substr(0, 1000)));
+    for (char& c : out) {
+        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    }
+    return std::string(trimmed(out));
 }
 
 std::string checksum_text(std::string_view line) {

@@ -49,12 +49,14 @@ struct device {
     int count;
 };
 
-/* Answers what the driver asks, so that it does not wait. */
-static void answer(struct device* d, int wait_ms) {
+/* Answers what the driver asks, so that it does not wait. How many questions there were. */
+static int answer(struct device* d, int wait_ms) {
     struct pollfd p = {d->uhid, POLLIN, 0};
+    int questions = 0;
     while (poll(&p, 1, wait_ms) > 0) {
         struct uhid_event e, reply;
-        if (read(d->uhid, &e, sizeof e) <= 0) return;
+        if (read(d->uhid, &e, sizeof e) <= 0) return questions;
+        questions++;
         memset(&reply, 0, sizeof reply);
         if (e.type == UHID_GET_REPORT) {
             reply.type = UHID_GET_REPORT_REPLY;
@@ -68,6 +70,7 @@ static void answer(struct device* d, int wait_ms) {
         }
         wait_ms = 0;
     }
+    return questions;
 }
 
 static void describe(int index, int fd) {
@@ -129,7 +132,7 @@ static void make_device(struct device* d, char* rest) {
     e.u.create2.vendor = vendor;
     e.u.create2.product = product;
     if (d->uhid < 0 || write(d->uhid, &e, sizeof e) < 0) printf("X uhid\n");
-    for (int i = 0; i < 25; i++) answer(d, 10);
+    for (int quiet = 0, turn = 0; quiet < 8 && turn < 200; turn++) quiet = answer(d, 25) > 0 ? 0 : quiet + 1;
     open_nodes(d);
     answer(d, 5);
 }
@@ -156,7 +159,8 @@ int main(void) {
     mount("proc", "/proc", "proc", 0, "");
     mount("sysfs", "/sys", "sysfs", 0, "");
     mount("devtmpfs", "/dev", "devtmpfs", 0, "");
-    const char* modules[] = {"evdev", "hid", "uhid", "hid-generic", "hid-multitouch"};
+    const char* modules[] = {"evdev",  "hid",   "usb-common",  "usbcore",       "usbhid",
+                             "uhid",   "wacom", "hid-generic", "hid-multitouch"};
     for (size_t i = 0; i < sizeof modules / sizeof *modules; i++) load(modules[i]);
     FILE* work = fopen("/work.txt", "r");
     struct device d = {-1, {0}, 0};

@@ -5,16 +5,19 @@
 
 #include <linux/input-event-codes.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <random>
 #include <set>
 #include <sstream>
 
 #include "../support/hex_bytes.hpp"
+#include "input/devices/make_decoder.hpp"
 #include "input/parse/evdev_pen.hpp"
 #include "input/parse/pen_layout.hpp"
 
@@ -24,6 +27,7 @@ using input::PenLayout;
 using input::PenRole;
 
 constexpr int kReportsEach = 60;
+constexpr unsigned kWacom = 0x056a, kNobody = 0x1234;
 
 std::string hex(const std::vector<std::uint8_t>& bytes) {
     std::string out;
@@ -98,7 +102,7 @@ std::vector<std::uint8_t> report_of(const PenLayout& layout, const Step& step, s
                 on = step.near;
                 break;
             case PenRole::Tip:
-                on = step.tip && !step.turned;
+                on = step.tip && !(step.turned && layout.has(PenRole::Eraser));
                 break;
             case PenRole::Invert:
                 on = step.near && step.turned;
@@ -128,31 +132,104 @@ std::optional<PenLayout> standard_pen(const std::vector<std::uint8_t>& bytes) {
     return std::nullopt;
 }
 
+/// The packets of a Wacom Intuos: the pen announces itself, draws with values that jump, and leaves; then its eraser.
+std::vector<std::vector<std::uint8_t>> intuos_packets(std::mt19937& random) {
+    std::vector<std::vector<std::uint8_t>> out;
+    std::uniform_int_distribution<int> byte(0, 255), coarse(0, 15);
+    for (const std::uint8_t eraser : {0, 8}) {
+        // Model 0x822 or 0x82A, serial number 0x12345678.
+        out.push_back({2, 0xC2, 0x82, static_cast<std::uint8_t>((2 + eraser) << 4 | 1), 0x23, 0x45, 0x67, 0x80, 0, 0});
+        for (int i = 0; i < kReportsEach / 2; ++i) {
+            const bool tip = i > 5 && i < 25;
+            std::vector<std::uint8_t> p(10, 0);
+            p[0] = 2;
+            p[1] = static_cast<std::uint8_t>(0xA0 | (tip && i % 5 == 0 ? 2 : 0) | (tip ? i & 1 : 0));
+            // High bytes that differ from the ones before keep the driver's smoothing of small steps out of it.
+            p[2] = static_cast<std::uint8_t>((i * 37) % 60);
+            p[4] = static_cast<std::uint8_t>((i * 23) % 40);
+            p[3] = static_cast<std::uint8_t>(byte(random));
+            p[5] = static_cast<std::uint8_t>(byte(random));
+            p[6] = static_cast<std::uint8_t>(tip ? 16 + coarse(random) * 14 : 0);
+            p[7] = static_cast<std::uint8_t>((tip ? byte(random) & 0xC0 : 0) | ((i * 19) & 0x3F));
+            p[8] = static_cast<std::uint8_t>((i * 29) & 0x7F);
+            p[9] = static_cast<std::uint8_t>(byte(random));
+            out.push_back(std::move(p));
+        }
+        out.push_back({2, 0x80, 0, 0, 0, 0, 0, 0, 0, 0});
+    }
+    return out;
+}
+
+/// The data file of the Wacom tablet that a file of the kernel's naming is of; null for any other.
+const input::DeviceFile* wacom_file(const std::string& name, input::DeviceIdentity& identity) {
+    const std::size_t at = name.find(":056A:");
+    if (at == std::string::npos) return nullptr;
+    identity.vendor = kWacom;
+    identity.product = static_cast<std::uint16_t>(std::stoul(name.substr(at + 6, 4), nullptr, 16));
+    return input::find_device_file(identity, input::device_files());
+}
+
 int make(const char* work, int count, char** files) {
     std::ofstream out(work);
     std::mt19937 random(20240229);
     std::set<std::vector<std::uint8_t>> seen;
     int pens = 0;
-    const auto add = [&](const std::string& name, const std::vector<std::uint8_t>& bytes) {
-        const auto layout = standard_pen(bytes);
-        if (!layout || !seen.insert(bytes).second) return;
-        ++pens;
-        out << "D " << name << "#" << pens << " " << 0x1234 << " " << pens << " " << hex(bytes) << "\n";
+    const auto add = [&](const std::string& name, unsigned vendor, unsigned product,
+                         const std::vector<std::uint8_t>& bytes,
+                         const std::vector<std::vector<std::uint8_t>>& reports) {
+        out << "D " << name << "#" << ++pens << " " << vendor << " " << product << " " << hex(bytes) << "\n";
+        for (const auto& report : reports) out << "R " << hex(report) << "\n";
+    };
+    const auto reports_of = [&](const PenLayout& layout) {
+        std::vector<std::vector<std::uint8_t>> reports;
         for (int i = 0; i < kReportsEach; ++i) {
-            out << "R " << hex(report_of(*layout, step_of(i, layout->has(PenRole::Invert)), random)) << "\n";
+            reports.push_back(report_of(layout, step_of(i, layout.has(PenRole::Invert)), random));
+        }
+        return reports;
+    };
+    const auto add_any = [&](const std::string& name, const std::vector<std::uint8_t>& bytes) {
+        input::DeviceIdentity wacom;
+        const input::DeviceFile* file = wacom_file(name, wacom);
+        if (file == nullptr && !seen.insert(bytes).second) return;
+        if (file != nullptr) {
+            auto reports = file->parser == "wacom-intuos"
+                               ? intuos_packets(random)
+                               : reports_of(input::make_layouts(file, std::nullopt, {}).front());
+            // As long as the tablet's own reports are: the driver tells them by their length.
+            const auto descriptor = input::parse_report_descriptor(bytes);
+            for (auto& r : reports) {
+                if (descriptor) r.resize(std::max(r.size(), descriptor->report_bytes(input::HidKind::Input, r[0])), 0);
+            }
+            add(name, wacom.vendor, wacom.product, bytes, reports);
+        } else if (const auto layout = standard_pen(bytes)) {
+            add(name, kNobody, static_cast<unsigned>(pens) + 1, bytes, reports_of(*layout));
         }
     };
-    add("generic-pen", support::generic_pen_descriptor());
+    add_any("generic-pen", support::generic_pen_descriptor());
     for (int i = 0; i < count; ++i) {
         std::ifstream in(files[i], std::ios::binary);
         const std::vector<char> chars{std::istreambuf_iterator<char>(in), {}};
         std::string name = files[i];
         name = name.substr(name.rfind('/') + 1, 100);
         for (char& c : name) c = c == ' ' ? '_' : c;
-        add(name, {chars.begin(), chars.end()});
+        add_any(name, {chars.begin(), chars.end()});
     }
-    std::printf("%d pens, %d reports each\n", pens, kReportsEach);
+    std::printf("%d pens, about %d reports each\n", pens, kReportsEach);
     return 0;
+}
+
+/// How we decode the device: by its descriptor, or by the data file of a Wacom tablet.
+std::unique_ptr<input::PenDecoder> our_decoder(unsigned vendor, unsigned product,
+                                               const std::vector<std::uint8_t>& bytes) {
+    if (vendor == kWacom) {
+        input::DeviceIdentity identity;
+        identity.vendor = kWacom;
+        identity.product = static_cast<std::uint16_t>(product);
+        return input::make_decoder(input::find_device_file(identity, input::device_files()), std::nullopt, {});
+    }
+    auto layout = standard_pen(bytes);
+    if (!layout) return nullptr;
+    return input::make_layout_decoder({std::move(*layout)}, "descriptor");
 }
 
 /// What the kernel said of one device.
@@ -195,11 +272,11 @@ std::map<std::string, KernelDevice> read_kernel(const char* path) {
 }
 
 /// The node whose position is ours; the kernel may make others for fingers and keys.
-std::optional<std::size_t> pen_node(const KernelDevice& d, const PenLayout& layout) {
+std::optional<std::size_t> pen_node(const KernelDevice& d, const input::PenAxes& axes) {
     for (std::size_t i = 0; i < d.nodes.size(); ++i) {
         const auto& n = d.nodes[i];
         const auto& x = n.axes[ABS_X];
-        if (n.is_pen() && x && x->min == layout.axes.x->min && x->max == layout.axes.x->max) return i;
+        if (n.is_pen() && x && x->min == axes.x->min && x->max == axes.x->max) return i;
     }
     return std::nullopt;
 }
@@ -223,9 +300,8 @@ std::string compare_axes(const input::PenAxes& ours, const input::PenAxes& kerne
     return faults;
 }
 
-/// What differs in a report; empty for nothing.
-std::string compare(const input::PenReport& ours, const input::PenReport& kernels, const PenLayout& layout,
-                    const input::PenAxes& axes) {
+/// What differs in a report; empty for nothing. Axes that the kernel's node lacks are not looked at.
+std::string compare(const input::PenReport& ours, const input::PenReport& kernels, const input::PenAxes& axes) {
     if (ours.in_range != kernels.in_range) return "in range";
     if (!ours.in_range) return "";
     if (ours.tip != kernels.tip) return "tip";
@@ -233,9 +309,9 @@ std::string compare(const input::PenReport& ours, const input::PenReport& kernel
     if ((ours.buttons & input::kBarrel1) != (kernels.buttons & input::kBarrel1)) return "barrel button";
     if (ours.x != kernels.x) return "x";
     if (ours.y != kernels.y) return "y";
-    if (layout.axes.pressure && axes.pressure && ours.pressure != kernels.pressure) return "pressure";
-    if (layout.axes.tilt_x && axes.tilt_x && ours.tilt_x != kernels.tilt_x) return "tilt x";
-    if (layout.axes.tilt_y && axes.tilt_y && ours.tilt_y != kernels.tilt_y) return "tilt y";
+    if (ours.pressure && axes.pressure && ours.pressure != kernels.pressure) return "pressure";
+    if (ours.tilt_x && axes.tilt_x && ours.tilt_x != kernels.tilt_x) return "tilt x";
+    if (ours.tilt_y && axes.tilt_y && ours.tilt_y != kernels.tilt_y) return "tilt y";
     return "";
 }
 
@@ -245,10 +321,11 @@ int check(const char* work, const char* kernel) {
     int same = 0, different = 0, not_comparable = 0;
     long reports = 0;
     std::string name;
-    std::optional<PenLayout> layout;
+    std::unique_ptr<input::PenDecoder> decoder;
     std::optional<std::size_t> node;
     std::optional<input::EvdevPen> pen;
     std::size_t next = 0;
+    input::PenReport ours;
     std::string fault;
     const KernelDevice* d = nullptr;
     const auto finish = [&] {
@@ -274,16 +351,17 @@ int check(const char* work, const char* kernel) {
             unsigned vendor = 0, product = 0;
             std::string descriptor;
             words >> name >> vendor >> product >> descriptor;
-            layout = standard_pen(unhex(descriptor));
+            decoder = our_decoder(vendor, product, unhex(descriptor));
             const auto found = devices.find(name);
             d = found == devices.end() ? nullptr : &found->second;
-            node = d == nullptr ? std::nullopt : pen_node(*d, *layout);
+            node = d == nullptr ? std::nullopt : pen_node(*d, decoder->axes());
             pen.reset();
             fault.clear();
+            ours = {};
             next = 0;
             if (node) {
                 pen.emplace(d->nodes[*node]);
-                fault = compare_axes(layout->axes, pen->axes());
+                fault = compare_axes(decoder->axes(), pen->axes());
             }
         } else if (kind == 'R' && node) {
             std::string bytes;
@@ -296,9 +374,10 @@ int check(const char* work, const char* kernel) {
                 if (e.node == *node) (void)pen->feed(e.event);
             }
             ++next;
-            input::PenReport ours;
-            const bool decoded = layout->decode(unhex(bytes), ours);
-            const std::string what = decoded ? compare(ours, pen->report(), *layout, pen->axes()) : "not decoded";
+            // A packet that is no pen's state (it announces one) changes nothing.
+            const input::PenAxes* axes = nullptr;
+            (void)decoder->decode(unhex(bytes), ours, axes);
+            const std::string what = compare(ours, pen->report(), pen->axes());
             if (fault.empty() && !what.empty()) fault = "report " + std::to_string(next) + ": " + what;
             ++reports;
         }

@@ -3,6 +3,9 @@
 #
 #     run.sh KERNEL_PEN OUT [DESCRIPTOR]...     files of report descriptors; our own generic pen is always among them
 #
+# A descriptor in a file named BUS:056A:PRODUCT.… whose product a data file of ours claims becomes that very Wacom tablet, so
+# that the kernel's Wacom driver takes it. Every other becomes a tablet that no driver knows.
+#
 # KERNEL_PEN is the program of kernel_pen.cpp. Needs the Debian packages qemu-system-x86, cpio, gcc, and
 # linux-image-amd64 or a kernel unpacked below $KERNEL_ROOT. Emulated, so it takes a minute or two; nothing is timed.
 # Exit code 1 when a pen differs, 77 where a tool is missing.
@@ -22,7 +25,8 @@ modules=$root/lib/modules/${vmlinuz##*/vmlinuz-}/kernel/drivers
 mkdir -p "$out/root/modules"
 "$kernel_pen" make "$out/root/work.txt" "$@"
 gcc -O1 -static -o "$out/root/init" "$here/guest_init.c" 2>"$out/gcc.log" || { cat "$out/gcc.log"; exit 1; }
-for module in input/evdev hid/hid hid/uhid hid/hid-generic hid/hid-multitouch; do
+for module in input/evdev hid/hid hid/uhid hid/hid-generic hid/hid-multitouch hid/wacom hid/usbhid/usbhid usb/core/usbcore \
+    usb/common/usb-common; do
     cp "$modules/$module.ko" "$out/root/modules/"
 done
 (cd "$out/root" && find . | cpio -o -H newc 2>/dev/null) | gzip -1 >"$out/initrd.gz"

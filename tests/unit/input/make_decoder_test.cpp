@@ -168,6 +168,22 @@ TEST_CASE("Wacom's Intuos: a pen comes, draws, turns and leaves", "[make_decoder
     CHECK_FALSE(decode(*decoder, "03 A0 12 34 23 45 80 7F C0 0B"));
 }
 
+TEST_CASE("the first Intuos tablets see two pens at once", "[make_decoder]") {
+    const auto decoder = make_decoder(file_of(0x056a, 0x0043), std::nullopt, {});
+    REQUIRE(decoder);
+    CHECK_FALSE(decode(*decoder, "02 C2 82 21 23 45 67 80 00 00"));
+    const auto first = decode(*decoder, "02 A0 12 34 23 45 80 7F C0 0B");
+    REQUIRE(first);
+    CHECK(first->report.x == 0x1234);
+    CHECK(first->report.pressure == 0x201);
+    CHECK_FALSE(decode(*decoder, "02 A1 12 34 23 45 80 7F C0 0B"));  // the second was not announced
+    CHECK_FALSE(decode(*decoder, "02 C3 82 A1 23 45 67 80 00 00"));
+    CHECK(decode(*decoder, "02 A1 12 34 23 45 80 7F C0 0B")->report.tool == input::PenTool::Eraser);
+    CHECK(decode(*decoder, "02 A0 12 34 23 45 80 7F C0 0B")->report.tool == input::PenTool::Pen);
+    CHECK_FALSE(decode(*decoder, "02 81 00 00 00 00 00 00 00 00")->report.in_range);
+    CHECK(decode(*decoder, "02 A0 12 34 23 45 80 7F C0 0B")->report.in_range);
+}
+
 TEST_CASE("what a Wacom pen's number says", "[make_decoder]") {
     CHECK(input::wacom_tool(0x802) == input::PenTool::Pen);
     CHECK(input::wacom_tool(0x80a) == input::PenTool::Eraser);
