@@ -259,17 +259,20 @@ Result<Design> read_design(const std::string& path) {
 }
 
 std::string design_text(const Design& design) {
-    Json document{{"format", kFormat},
-                  {"version", kDesignVersion},
-                  {"name", design.name},
-                  {"body", body_to(design.body)},
-                  {"mirror", design.mirror},
-                  {"edge_cm", design.network.edge_cm},
-                  {"clearance_cm", design.fitting.clearance_cm},
-                  {"fairing", design.fitting.fairing == Fairing::Particles ? "particles" : "optimised"},
-                  {"steps", Json::array()}};
-    for (const DesignStep& step : design.steps) document["steps"].push_back(step_to(step));
-    return document.dump(1, ' ') + "\n";
+    const Json document{{"format", kFormat},
+                        {"version", kDesignVersion},
+                        {"name", design.name},
+                        {"body", body_to(design.body)},
+                        {"mirror", design.mirror},
+                        {"edge_cm", design.network.edge_cm},
+                        {"clearance_cm", design.fitting.clearance_cm},
+                        {"fairing", design.fitting.fairing == Fairing::Particles ? "particles" : "optimised"}};
+    std::string text = document.dump(1, ' ');
+    text.resize(text.size() - 2);  // the closing bracket: the steps come before it, a line each
+    text += ",\n \"steps\": [";
+    for (std::size_t i = 0; i < design.steps.size(); ++i)
+        text += (i == 0 ? "\n  " : ",\n  ") + step_to(design.steps[i]).dump();
+    return text + "\n ]\n}\n";
 }
 
 }  // namespace core

@@ -156,9 +156,9 @@ TEST_CASE("a design cut short or wrong is refused in one sentence", "[design_fil
     CHECK(with("\"version\": 1", "\"version\": 99").find("newer") != std::string::npos);
     CHECK(with("croquis-garment", "other").find("format") != std::string::npos);
     CHECK(with("\"size\": \"38\"", "\"size\": \"99\"").find("36 to 44") != std::string::npos);
-    CHECK(with("\"do\": \"line\"", "\"do\": \"fly\"").find("step 1: there is no step \"fly\"") != std::string::npos);
-    CHECK(with("\"view\": \"top\"", "\"view\": \"below\"").find("below") != std::string::npos);
-    CHECK(with("\"tool\": \"plane_xz\"", "\"tool\": \"nail\"").find("nail") != std::string::npos);
-    CHECK(with("\"offset\": 40.0", "\"offset\": \"x\"").find("offset") != std::string::npos);
+    CHECK(with("\"do\":\"line\"", "\"do\":\"fly\"").find("step 1: there is no step \"fly\"") != std::string::npos);
+    CHECK(with("\"view\":\"top\"", "\"view\":\"below\"").find("below") != std::string::npos);
+    CHECK(with("\"tool\":\"plane_xz\"", "\"tool\":\"nail\"").find("nail") != std::string::npos);
+    CHECK(with("\"offset\":40.0", "\"offset\":\"x\"").find("offset") != std::string::npos);
     CHECK(core::read_design("/nowhere.json").error().code == core::ErrorCode::FileMissing);
 }
