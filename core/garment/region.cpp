@@ -113,6 +113,29 @@ bool has_fold(const QuadMesh& mesh, Vec3 normal) {
     return false;
 }
 
+/// Whether inner vertices leave the ring's bounding box, or inner edges are much longer than the ring's.
+bool swings_out(const QuadMesh& mesh, const std::vector<Vec3>& ring) {
+    Vec3 low = ring[0], high = ring[0];
+    double longest = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec3 p = ring[i];
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+        longest = std::max(longest, length(ring[(i + 1) % ring.size()] - p));
+    }
+    const double slack = 0.05 * size_of(ring);
+    for (std::size_t v = ring.size(); v < mesh.vertices.size(); ++v) {
+        const Vec3 p = mesh.vertices[v];
+        if (p.x < low.x - slack || p.y < low.y - slack || p.z < low.z - slack || p.x > high.x + slack ||
+            p.y > high.y + slack || p.z > high.z + slack)
+            return true;
+    }
+    for (const Quad& q : mesh.quads)
+        for (std::size_t k = 0; k < 4; ++k)
+            if (length(mesh.vertices[q[(k + 1) % 4]] - mesh.vertices[q[k]]) > 4.0 * longest) return true;
+    return false;
+}
+
 }  // namespace
 
 Result<std::vector<Vec3>> outline_ring(const RegionOutline& outline) {
@@ -144,12 +167,15 @@ FilledRegion fill_ring(RegionTopology topology, const std::vector<Vec3>& ring, d
     patch.solve(filled.mesh.vertices);
     filled.alpha = patch.alpha();
     const Vec3 normal = plane_normal(ring);
-    if (filled.alpha == kHarmonicAlpha || normal == Vec3{} || !has_fold(filled.mesh, normal)) return filled;
+    const auto good = [&](const QuadMesh& mesh) {
+        return !swings_out(mesh, ring) && (normal == Vec3{} || !has_fold(mesh, normal));
+    };
+    if (filled.alpha == kHarmonicAlpha || good(filled.mesh)) return filled;
     QuadMesh flatter = filled.mesh;
-    for (const double share : {0.5, 0.25, 0.0}) {
+    for (const double share : {0.998, 0.99, 0.95, 0.8, 0.5, 0.25, 0.0}) {
         patch.set_alpha(filled.alpha * share);
         patch.solve(flatter.vertices);
-        if (has_fold(flatter, normal)) continue;
+        if (!good(flatter)) continue;
         filled.mesh = std::move(flatter);
         filled.alpha = patch.alpha();
         break;

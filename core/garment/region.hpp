@@ -36,9 +36,11 @@ struct FilledRegion {
     double alpha = 0.0;  ///< in use, see fill_ring
 };
 
-/// Places the inner vertices of `topology` for a boundary ring. Where the ring lies in a plane and `alpha` lets quads
-/// fold over though a larger one does not, the nearest of alpha/2, alpha/4, 0 that keeps all quads unfolded is used;
-/// on a circle 0 always does (Tutte 1963). Cost: PermanencePatch, more than once only where quads fold.
+/// Places the inner vertices of `topology` for a boundary ring. Near alpha = -1/4 the patch of a region with irregular
+/// vertices may fold over itself or swing far out of its outline: where a plane ring gives folded quads, or an inner
+/// vertex leaves the ring's bounding box by a twentieth of its size, or an edge is four times as long as the ring's,
+/// the nearest alpha of a short list towards 0 is used that does neither; on a circle 0 never folds (Tutte 1963). Cost:
+/// PermanencePatch, more than once only there.
 [[nodiscard]] FilledRegion fill_ring(RegionTopology topology, const std::vector<Vec3>& ring, double alpha);
 
 /// The three above in turn.

@@ -1,14 +1,25 @@
-// croquis garment fill: the quads of one region of cloth.
+// croquis garment: fill makes the quads of one region of cloth, build a whole garment, wardrobe writes worked designs.
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/exchange/design_file.hpp"
+#include "core/exchange/file_bytes.hpp"
+#include "core/exchange/glb_writer.hpp"
+#include "core/exchange/mesh_reader.hpp"
 #include "core/exchange/obj_writer.hpp"
 #include "core/exchange/region_reader.hpp"
 #include "core/garment/region.hpp"
+#include "core/garment/subdivision.hpp"
+#include "core/garment/wardrobe.hpp"
+#include "core/mannequin/mannequin.hpp"
+#include "core/mannequin/own_body.hpp"
 #include "firmware_like_app/collection/stopwatch.hpp"
 #include "firmware_like_app/commands/commands.hpp"
 
@@ -75,6 +86,165 @@ void run_fill(const FillOptions& options, CommandState& state) {
     print_fill(*filled, times, options.json);
 }
 
+struct BuildOptions {
+    std::string design, out, body;
+    int smooth = 0;
+    bool json = false;
+};
+
+/// What the design is worn on: its mannequin, or a mesh of the user's.
+core::Result<core::TriangleMesh> body_for(const core::Design& design, const std::string& path) {
+    if (path.empty()) {
+        const core::Result<core::Mannequin> body = core::make_mannequin(design.body);
+        if (!body) return core::unexpected(body.error());
+        return core::triangles_of(body->mesh);
+    }
+    const core::Result<core::TriangleMesh> mesh = core::read_mesh(path);
+    if (!mesh) return core::unexpected(mesh.error());
+    core::Result<core::TriangleMesh> stood = core::stand_body(*mesh);
+    if (!stood) return core::unexpected(stood.error().code, stood.error().message, path);
+    return stood;
+}
+
+/// Finer layers, off the body and off each other again.
+core::Result<void> smooth_layers(core::Garment& garment, const core::Design& design, const core::TriangleMesh& body,
+                                 int levels) {
+    core::Result<core::Obstacle> obstacle = core::Obstacle::of_body(body);
+    if (!obstacle) return core::unexpected(obstacle.error());
+    core::FittingOptions options = design.fitting;
+    options.rounds = 2;
+    for (core::FinishedLayer& layer : garment.layers) {
+        core::Result<core::Cloth> finer = core::subdivided(layer.fitted, levels);
+        if (!finer) return core::unexpected(finer.error());
+        layer.fitted = std::move(*finer);
+        const double before = layer.report.deepest_before_cm;
+        layer.report = core::fit_cloth(layer.fitted, *obstacle, options);
+        layer.report.deepest_before_cm = before;
+        obstacle->add_layer(layer.fitted.mesh);
+    }
+    return {};
+}
+
+constexpr std::array<core::Rgb, 6> kCloth{
+    {{86, 112, 156}, {168, 84, 78}, {110, 138, 96}, {180, 150, 90}, {128, 100, 140}, {90, 140, 140}}};
+
+core::Result<void> write_garment(const core::Garment& garment, const std::string& path) {
+    if (core::lower_extension(path) == "glb") {
+        std::vector<core::GlbMesh> meshes;
+        for (std::size_t i = 0; i < garment.layers.size(); ++i)
+            for (const core::ClothPiece& piece : garment.layers[i].fitted.pieces)
+                meshes.push_back({piece.name, &garment.layers[i].fitted.mesh, piece.first, piece.count,
+                                  kCloth[i % kCloth.size()], true});
+        return core::write_glb_file(path, meshes);
+    }
+    core::QuadMesh all;
+    std::vector<core::QuadGroup> groups;
+    for (const core::FinishedLayer& layer : garment.layers) {
+        const auto shift = static_cast<std::uint32_t>(all.vertices.size());
+        for (const core::ClothPiece& piece : layer.fitted.pieces)
+            groups.push_back({piece.name, all.quads.size() + piece.first, piece.count});
+        all.vertices.insert(all.vertices.end(), layer.fitted.mesh.vertices.begin(), layer.fitted.mesh.vertices.end());
+        for (const core::Quad& q : layer.fitted.mesh.quads)
+            all.quads.push_back({q[0] + shift, q[1] + shift, q[2] + shift, q[3] + shift});
+    }
+    return core::write_obj_file(path, all, groups);
+}
+
+ordered_json to_json(const core::FinishedLayer& layer) {
+    ordered_json pieces = ordered_json::array();
+    for (const core::ClothPiece& piece : layer.fitted.pieces)
+        pieces.push_back({{"name", piece.name},
+                          {"quads", piece.count},
+                          {"irregular_interior", piece.counts.irregular_interior},
+                          {"irregular_boundary", piece.counts.irregular_boundary},
+                          {"alpha", piece.alpha}});
+    return {{"pieces", pieces},
+            {"vertices", layer.fitted.mesh.vertices.size()},
+            {"quads", layer.fitted.mesh.quads.size()},
+            {"penetration_cm", {{"drawn", layer.report.deepest_before_cm}, {"fitted", layer.report.deepest_after_cm}}},
+            {"closest_cm", layer.report.closest_cm},
+            {"strain", {{"mean", layer.report.mean_stretch}, {"largest", layer.report.largest_stretch}}}};
+}
+
+void print_garment(const core::Garment& garment, double ms, bool as_json) {
+    if (as_json) {
+        ordered_json layers = ordered_json::array(), faults = ordered_json::array();
+        for (const core::FinishedLayer& layer : garment.layers) layers.push_back(to_json(layer));
+        for (const core::DesignFault& fault : garment.faults)
+            faults.push_back({{"step", fault.step}, {"why", fault.sentence}});
+        std::printf("%s\n", ordered_json{{"layers", layers}, {"faults", faults}, {"ms", ms}}.dump().c_str());
+        return;
+    }
+    for (const core::FinishedLayer& layer : garment.layers)
+        std::printf(
+            "%zu pieces, %zu quads; up to %.2f cm inside as drawn, %.2f cm after fitting; strain %.1f %% on average\n",
+            layer.fitted.pieces.size(), layer.fitted.mesh.quads.size(), layer.report.deepest_before_cm,
+            layer.report.deepest_after_cm, 100.0 * layer.report.mean_stretch);
+}
+
+void run_build(const BuildOptions& options, CommandState& state) {
+    const std::string extension = core::lower_extension(options.out);
+    if (extension != "obj" && extension != "glb")
+        return fail(state, {core::ErrorCode::BadArgument, "The garment can be written as .obj or .glb.", options.out});
+    const core::Result<core::Design> design = core::read_design(options.design);
+    if (!design) return fail(state, design.error());
+    const core::Result<core::TriangleMesh> body = body_for(*design, options.body);
+    if (!body) return fail(state, body.error());
+    const Stopwatch watch;
+    core::Result<core::Garment> garment = core::make_garment(*design, *body);
+    if (!garment) return fail(state, garment.error());
+    if (options.smooth > 0)
+        if (const auto done = smooth_layers(*garment, *design, *body, options.smooth); !done)
+            return fail(state, done.error());
+    const double ms = watch.ms();
+    if (const auto written = write_garment(*garment, options.out); !written) return fail(state, written.error());
+    print_garment(*garment, ms, options.json);
+    for (const core::DesignFault& fault : garment->faults)
+        fail(state, {core::ErrorCode::BadFormat,
+                     fault.step > 0 ? "step " + std::to_string(fault.step) + ": " + fault.sentence : fault.sentence,
+                     options.design});
+}
+
+struct WardrobeOptions {
+    std::string out, size = "38";
+};
+
+void run_wardrobe(const WardrobeOptions& options, CommandState& state) {
+    const core::Result<core::BodyMeasures> measures = core::measures_of_size(options.size);
+    if (!measures) return fail(state, measures.error());
+    const core::Result<core::Mannequin> body = core::make_mannequin(*measures);
+    if (!body) return fail(state, body.error());
+    std::error_code failed;
+    std::filesystem::create_directories(options.out, failed);
+    for (const std::string& name : core::wardrobe_names()) {
+        const std::filesystem::path path = std::filesystem::path(options.out) / (name + ".json");
+        std::ofstream file(path, std::ios::binary | std::ios::trunc);
+        if (!(file << core::design_text(*core::wardrobe_design(name, *body))).flush())
+            return fail(state, {core::ErrorCode::WriteFailed, "The design cannot be written; check the folder.",
+                                path.string()});
+        std::printf("%s\n", path.c_str());
+    }
+}
+
+void add_build_command(CLI::App& garment, CommandState& state) {
+    auto options = std::make_shared<BuildOptions>();
+    CLI::App* command = garment.add_subcommand("build", "The whole garment of a saved design");
+    command->add_option("DESIGN", options->design, "design file")->required();
+    command->add_option("--out", options->out, "F.obj or F.glb to write")->required();
+    command->add_option("--body", options->body, "a closed mesh to dress in place of the design's mannequin");
+    command->add_option("--smooth", options->smooth, "levels of Catmull-Clark subdivision")->check(CLI::Range(0, 3));
+    command->add_flag("--json", options->json, "one JSON object on standard output");
+    command->callback([options, &state] { run_build(*options, state); });
+}
+
+void add_wardrobe_command(CLI::App& garment, CommandState& state) {
+    auto options = std::make_shared<WardrobeOptions>();
+    CLI::App* command = garment.add_subcommand("wardrobe", "Writes the worked designs as design files");
+    command->add_option("--out", options->out, "folder to write to")->required();
+    command->add_option("--size", options->size, "the mannequin they are drawn on")->capture_default_str();
+    command->callback([options, &state] { run_wardrobe(*options, state); });
+}
+
 }  // namespace
 
 void add_garment_commands(CLI::App& cli, CommandState& state) {
@@ -92,6 +262,8 @@ void add_garment_commands(CLI::App& cli, CommandState& state) {
         ->capture_default_str();
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &state] { run_fill(*options, state); });
+    add_build_command(*garment, state);
+    add_wardrobe_command(*garment, state);
 }
 
 }  // namespace app

@@ -62,6 +62,7 @@ FNR == 1 {
     home(header, "^CGAL/", "core/skeleton")
     home(header, "^opencv2/", "core/silhouette")
     home(header, "^assimp/", "core/exchange")
+    home(header, "^opensubdiv/", "core/garment")
     home(header, "^stb/stb_image[.]h", "core/exchange")
     home(header, "^(SDL|EGL/|GLES|hb|ft2build|cairo)", "ui")
     home(header, "^CLI/", "firmware_like_app")

@@ -1,0 +1,23 @@
+#pragma once
+// Garment designs as JSON; core/exchange/README.md has the format.
+
+#include <string>
+#include <string_view>
+
+#include "core/base/result.hpp"
+#include "core/garment/design.hpp"
+
+namespace core {
+
+inline constexpr int kDesignVersion = 1;
+
+/// Reads a design of this version or an older one. ErrorCode::BadFormat with the step at fault (from 1) for text that
+/// is no JSON or ends early, a missing or wrong field, an unknown step, view, tool or size; ErrorCode::NewerVersion for
+/// a design of a later version.
+[[nodiscard]] Result<Design> parse_design(std::string_view text);
+[[nodiscard]] Result<Design> read_design(const std::string& path);
+
+/// The same design gives the same bytes, and is read back as it was.
+[[nodiscard]] std::string design_text(const Design& design);
+
+}  // namespace core

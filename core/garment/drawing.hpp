@@ -1,0 +1,64 @@
+#pragma once
+// Strokes of the pen become lines in space: on the body, in a plane, or in the temporary plane (thesis 3.1).
+//
+// A stroke is a chain of parts; the designer may change the view or the tool in the middle of it, and the samples that
+// follow are lifted by the new ones. Lengths in centimetres; views show the body at its size.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/garment/obstacle.hpp"
+#include "core/geometry/point.hpp"
+
+namespace core {
+
+/// How a flat drawing stands in space. Points of the drawing are centimetres to the right and up from `centre`.
+struct DrawingView {
+    Vec3 centre, right{1, 0, 0}, up{0, 1, 0}, toward{0, 0, 1};  ///< toward: to the viewer; unit vectors
+    double eye_distance = 0.0;                                  ///< from centre; 0 for parallel views
+
+    struct Ray {
+        Vec3 origin, direction;  ///< direction has length 1 and leads away from the viewer
+    };
+    [[nodiscard]] Ray ray(Point at) const;
+};
+
+/// "front", "back", "left" (from the body's left, +x), "right", "top": parallel views about the origin. ErrorCode::
+/// BadArgument for another name.
+[[nodiscard]] Result<DrawingView> named_view(std::string_view name);
+
+/// From `eye` to `target`, y up as far as possible. The two must not coincide: ErrorCode::BadArgument.
+[[nodiscard]] Result<DrawingView> perspective_view(Vec3 eye, Vec3 target);
+
+struct DrawingTool {
+    enum class Kind {
+        Body,  ///< on the surface below the pen, `offset` outside of it; beside the body, where the ray passes nearest
+        PlaneXY,    ///< z = offset
+        PlaneXZ,    ///< y = offset
+        PlaneYZ,    ///< x = offset
+        Temporary,  ///< the drawing turned about the view's right axis through the last point, into the view: up is
+                    ///< away
+    };
+    Kind kind = Kind::Body;
+    double offset = 0.0;
+};
+
+struct StrokePart {
+    DrawingView view;
+    DrawingTool tool;
+    std::vector<Point> points;
+};
+
+using SketchStroke = std::vector<StrokePart>;
+
+/// How far beside the body a ray may pass for the body tool.
+inline constexpr double kBodyToolReach_cm = 25.0;
+
+/// The stroke as a line in space. Points closer than 0.01 cm to the one before are left out. ErrorCode::BadArgument
+/// with the number of the point for one that is not finite, passes too far from the body, or lies in a plane seen
+/// edge-on, and for a stroke that begins with the temporary plane or has fewer than two different points.
+[[nodiscard]] Result<std::vector<Vec3>> lift_stroke(const SketchStroke& stroke, const Obstacle& body);
+
+}  // namespace core

@@ -1,0 +1,41 @@
+#pragma once
+// What cloth must stay outside of: a body, and the cloth that is worn below.
+
+#include <optional>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/mesh/distance_grid.hpp"
+
+namespace core {
+
+class Obstacle {
+  public:
+    /// The body must be closed, in centimetres, y up. ErrorCode::BadMesh otherwise.
+    [[nodiscard]] static Result<Obstacle> of_body(const TriangleMesh& body);
+
+    /// Cloth worn below: what is drawn and fitted from now on stays on its outer side.
+    void add_layer(const QuadMesh& cloth);
+
+    /// The least distance to the body and to every layer near by.
+    [[nodiscard]] FieldSample sample(Vec3 p) const;
+    [[nodiscard]] double distance(Vec3 p) const;
+
+    /// The surfaces themselves: the body, then each layer.
+    [[nodiscard]] const std::vector<QuadMesh>& surfaces() const { return surfaces_; }
+
+    /// Where a ray comes within `offset` of the surface for the first time, along a unit direction; nothing within
+    /// `reach`. Starts that are nearer already give the start.
+    [[nodiscard]] std::optional<Vec3> first_hit(Vec3 origin, Vec3 direction, double offset, double reach) const;
+
+    /// The place on a ray that is nearest to the surface, sampled every half centimetre.
+    [[nodiscard]] Vec3 nearest_pass(Vec3 origin, Vec3 direction, double reach) const;
+
+  private:
+    explicit Obstacle(DistanceGrid body) : body_(std::move(body)) {}
+    DistanceGrid body_;
+    std::vector<DistanceGrid> layers_;
+    std::vector<QuadMesh> surfaces_;
+};
+
+}  // namespace core
