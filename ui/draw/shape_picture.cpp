@@ -220,6 +220,28 @@ void draw_depth(const Panel& panel, const core::DescribedShape& shape) {
     }
 }
 
+/// Where a part's number stands: on the mean of its points, or beside it where that lies outside, as between two legs:
+/// then in the middle of the part's widest span at that height.
+Point tag_place(const Polygon& ring) {
+    const Point mean = core::centroid_of_points(ring);
+    std::vector<double> crossings;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point p = ring[i], q = ring[(i + 1) % ring.size()];
+        if ((p.y > mean.y) == (q.y > mean.y)) continue;
+        crossings.push_back(p.x + (q.x - p.x) * (mean.y - p.y) / (q.y - p.y));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    Point place = mean;
+    double widest = 0.0;
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+        if (crossings[i] <= mean.x && mean.x <= crossings[i + 1]) return mean;
+        if (crossings[i + 1] - crossings[i] <= widest) continue;
+        widest = crossings[i + 1] - crossings[i];
+        place.x = (crossings[i] + crossings[i + 1]) / 2.0;
+    }
+    return place;
+}
+
 void draw_terminals(const Panel& panel, const core::ShapeDescriptor& d) {
     panel.fill(d.samples, kClay, 0.5);
     panel.stroke(d.samples, kInk, 1.2);
@@ -230,7 +252,7 @@ void draw_terminals(const Panel& panel, const core::ShapeDescriptor& d) {
         panel.stroke(ring_of(d, part), kInk, part.salient ? 2.2 : 0.8);
     }
     for (int t = 0; t < d.terminal_count; ++t) {
-        panel.tag(core::centroid_of_points(ring_of(d, d.parts[static_cast<std::size_t>(t)])), t,
+        panel.tag(tag_place(ring_of(d, d.parts[static_cast<std::size_t>(t)])), t,
                   kPartColours[static_cast<std::size_t>(t) % kPartColours.size()]);
     }
 }
@@ -317,7 +339,7 @@ void draw_matched(const Panel& panel, const core::ShapeDescriptor& d, const core
     }
     panel.stroke(d.samples, kInk, 1.6);
     for (std::size_t k = 0; k < match.pairs.size(); ++k) {
-        panel.tag(core::centroid_of_points(ring_of(d, part_of(match.pairs[k]))), static_cast<int>(k) + 1,
+        panel.tag(tag_place(ring_of(d, part_of(match.pairs[k]))), static_cast<int>(k) + 1,
                   kPartColours[k % kPartColours.size()]);
     }
 }
