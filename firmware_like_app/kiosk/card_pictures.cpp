@@ -90,6 +90,7 @@ void CardPictures::paint(int count, const ui::FindLayout& layout, ui::Painter& p
         options.size = picture_size(layout, next.card);
         options.margin = next.card == 0 ? 0.03 : 0.06;
         options.ground_margin = next.card == 0 ? 0.09 : 0.08;  // the best card's tags stand below the model
+        if (next.card == 0) options.lean = 0.1;                // away from the name, which stands at the top left
         const auto [entry, is_new] = textures_.emplace(next.id, painter_.paint(*answer_->cards[next.card], options));
         painter.set_picture(next.id, &entry->second);
         ++painted_;

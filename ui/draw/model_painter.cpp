@@ -19,7 +19,7 @@ struct Fit {
     [[nodiscard]] double y(double plane_y) const { return plane_y * sy + oy; }
 };
 
-/// The largest that keeps the margins, centred, and low down where there is room above.
+/// The largest that keeps the margins, centred or leaning, and low down where there is room above.
 Fit fit_box(const CardModel& model, SizePx size, const ModelPictureOptions& options) {
     const double width = std::max(model.right - model.left, 1e-6), height = std::max(model.top - model.bottom, 1e-6);
     const double room_x = (1 - 2 * options.margin) * size.width;
@@ -28,7 +28,9 @@ Fit fit_box(const CardModel& model, SizePx size, const ModelPictureOptions& opti
     Fit fit;
     fit.sx = (model.mirrored ? -1.0 : 1.0) * scale * 2 / size.width;
     fit.sy = -scale * 2 / size.height;
-    fit.ox = -(model.left + model.right) / 2 * fit.sx;
+    const double beside = (room_x - width * scale) / 2;
+    const double lean = std::min(options.lean * size.width, beside) * 2 / size.width;
+    fit.ox = lean - (model.left + model.right) / 2 * fit.sx;
     const double above = room_y - height * scale;  // wide models stand a little above the ground line, not in mid air
     const double ground = size.height * (1 - options.ground_margin) - above * 0.35;
     fit.oy = ground * 2 / size.height - 1 - model.bottom * fit.sy;

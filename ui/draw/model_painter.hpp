@@ -11,6 +11,7 @@ struct ModelPictureOptions {
     double margin = 0.05;         ///< of the picture, kept free left, right and above
     double ground_margin = 0.08;  ///< kept free below, where the shadow lies
     bool own_colours = false;     ///< the mesh's colours instead of clay where no part colour lies
+    double lean = 0;  ///< share of the picture's width by which free room at the sides may shift the model right
 };
 
 class ModelPainter {

@@ -61,6 +61,22 @@ TEST_CASE("a model fills its picture and leaves the rest clear", "[model]") {
     CHECK(test::pixel(image, 200, 5).a == 0);
 }
 
+TEST_CASE("a leaning model moves right as far as there is room, and no further", "[model]") {
+    const auto context = test::gl();
+    core::Result<ui::ModelPainter> painter = ui::ModelPainter::create();
+    REQUIRE(painter);
+    const auto left_edge = [&](ui::SizePx size, double lean) {
+        const core::RgbaImage image = painter->paint_image(make_card(false, {}), {size, 0.05, 0.08, false, lean});
+        int x = 0;
+        while (x < image.width - 1 && test::pixel(image, x, image.height / 2).a < 255) ++x;
+        return x;
+    };
+    const ui::SizePx roomy{300, 100}, tight{200, 135};  // painted at twice the size
+    CHECK(left_edge(roomy, 0.1) == left_edge(roomy, 0) + 60);
+    CHECK(left_edge(roomy, 0.5) < 2 * left_edge(roomy, 0));
+    CHECK(left_edge(tight, 0.1) == left_edge(tight, 0));
+}
+
 TEST_CASE("without parts a model is clay", "[model]") {
     const auto context = test::gl();
     const test::Pixel p = test::pixel(paint(make_card(false, {})), 200, 135);
