@@ -77,6 +77,7 @@ FindMode::FindMode(const ui::FontSet& fonts, const std::vector<ui::Strings>& lan
     if (searcher != nullptr) worker_ = std::make_unique<SearchWorker>(*searcher, options.every_frame_seen);
     ink_layer_.resize(sheet_size(layout_));
     painter_.set_picture(kInkPicture, &ink_layer_.texture());
+    notice_left_ = options.notice_left;
     start_over_frame();
 }
 

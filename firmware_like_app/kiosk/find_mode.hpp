@@ -22,6 +22,7 @@ struct FindOptions {
     std::size_t language = 0;
     ui::Hand hand = ui::Hand::Right;
     ui::Notice notice = ui::Notice::None;
+    bool notice_left = false;               ///< start on the sheet, as after the notice's button
     std::int64_t search_every_us = 80'000;  ///< while the pen draws; 0: only after strokes
     bool every_frame_seen = true;           ///< false: cards and wash are made when settle() asks for them
 };

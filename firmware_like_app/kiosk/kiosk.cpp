@@ -273,7 +273,8 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searc
     FindOptions find_options;
     find_options.language = static_cast<std::size_t>(language - languages->begin());
     find_options.hand = options.hand;
-    find_options.notice = replays.empty() ? options.notice : ui::Notice::None;
+    find_options.notice = options.notice;
+    find_options.notice_left = !replays.empty();
     find_options.every_frame_seen = !options.headless;
     find_options.search_every_us = options.headless ? 0 : options.search_every_us;
     core::Result<std::unique_ptr<FindMode>> find =

@@ -202,6 +202,17 @@ TEST_CASE("a frame is only due when something changed", "[find mode]") {
     CHECK_FALSE(kiosk.find->changed(kiosk.now_us));
 }
 
+TEST_CASE("a sheet without a collection promises no models", "[find mode]") {
+    app::FindOptions options;
+    options.notice = ui::Notice::CollectionMissing;
+    options.notice_left = true;
+    Kiosk without(nullptr, options), with(nullptr, {});
+    CHECK_FALSE(without.find->showing_notice());
+    without.stroke(900, 200, 1000, 250);
+    CHECK(without.strokes() == 1);
+    CHECK(without.find->state(without.now_us).board_message != with.find->state(with.now_us).board_message);
+}
+
 TEST_CASE("a notice covers the sheet until the visitor starts drawing", "[find mode]") {
     app::FindOptions options;
     options.notice = ui::Notice::NoModels;
