@@ -73,16 +73,30 @@ std::unique_ptr<SketchSearcher> open_collection(const KioskCommandOptions& optio
     return std::move(*searcher);
 }
 
+/// What a replay found, in words.
+std::string outcome(const ReplayReport& replay) {
+    if (!replay.failure.empty()) return replay.failure;
+    if (replay.message_key == "too_little") return "too little is drawn to compare";
+    if (replay.names.empty()) return "nothing found";
+    std::string words;
+    for (std::size_t k = 0; k < std::min<std::size_t>(replay.names.size(), 5); ++k) {
+        if (k > 0) words += ", ";
+        words += replay.names[k];
+    }
+    return words;
+}
+
+/// A sheet on which nothing was replayed has no name, only its picture.
+void print_for_people(const ReplayReport& replay) {
+    if (!replay.name.empty()) std::printf("%s: %s\n", replay.name.c_str(), outcome(replay).c_str());
+    for (const auto& shot : replay.shots) std::printf("  %s\n", shot.string().c_str());
+}
+
 void print_report(const KioskReport& report, bool as_json) {
     ordered_json replays = ordered_json::array();
     for (const ReplayReport& r : report.replays) {
         if (!as_json) {
-            std::printf("%s:", r.name.c_str());
-            for (std::size_t k = 0; k < std::min<std::size_t>(r.names.size(), 5); ++k) {
-                std::printf("%s %s", k == 0 ? "" : ",", r.names[k].c_str());
-            }
-            std::printf("%s\n", r.names.empty() ? (" " + (r.failure.empty() ? r.message_key : r.failure)).c_str() : "");
-            for (const auto& shot : r.shots) std::printf("  %s\n", shot.string().c_str());
+            print_for_people(r);
             continue;
         }
         ordered_json shots = ordered_json::array();
@@ -127,7 +141,11 @@ void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) 
     if (!replays) return fail(state, replays.error());
     const std::unique_ptr<SketchSearcher> searcher = open_collection(options, kiosk);
     const core::Result<KioskReport> report = run_kiosk(kiosk, searcher.get(), std::move(*replays));
-    if (!report) return fail(state, report.error());
+    if (!report) {
+        fail(state, report.error());
+        if (report.error().code == core::ErrorCode::BadArgument) state.exit_code = 2;
+        return;
+    }
     print_report(*report, options.json);
     for (const ReplayReport& r : report->replays) {
         if (r.failure.empty()) continue;

@@ -252,7 +252,7 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searc
                                     std::vector<NamedDrawing> replays) {
     if (options.headless && replays.empty() && options.shots.empty()) {
         return core::unexpected(core::ErrorCode::BadArgument,
-                                "a kiosk without a screen needs drawings to replay or a folder for pictures");
+                                "a kiosk without a screen needs something to do; give --replay, --shots or both");
     }
     for (const std::filesystem::path& folder : {options.shots, options.record}) {
         if (const core::Result<void> made = make_folder(folder); !made) return core::unexpected(made.error());
