@@ -50,8 +50,8 @@ void add_stroke(DrawingBuilder& builder, const Json& stroke) {
 Result<std::string> line_of(std::istream& in, const LinePath& path) {
     const auto no_such_line = [&](std::size_t lines) {
         return unexpected(ErrorCode::BadArgument,
-                          "the file has " + std::to_string(lines) + " lines, so there is no line " +
-                              std::to_string(path.line) + "; lines count from 0",
+                          "the file has " + std::to_string(lines) + (lines == 1 ? " line" : " lines") +
+                              ", so there is no line " + std::to_string(path.line) + "; lines count from 0",
                           path.file);
     };
     for (std::size_t i = 0; i < path.line; ++i) {

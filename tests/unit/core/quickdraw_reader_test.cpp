@@ -43,7 +43,7 @@ TEST_CASE("a path may name a line of the file", "[quickdraw_reader]") {
     }
     const std::string open_end = folder.write("one.ndjson", "{\"drawing\":[[[1,2],[1,2]]]}");
     CHECK(core::read_quickdraw(open_end + ":0"));
-    CHECK(core::read_quickdraw(open_end + ":1").error().message.starts_with("the file has 1 lines"));
+    CHECK(core::read_quickdraw(open_end + ":1").error().message.starts_with("the file has 1 line,"));
     CHECK(core::read_quickdraw(folder.path("none.ndjson:1")).error().code == core::ErrorCode::FileMissing);
 }
 
