@@ -151,7 +151,7 @@ Result<LabelledList> read_cla(std::string_view text, const std::string& path, co
         const std::optional<std::size_t> count = words.next_number();
         if (name.empty() || !count) return damaged("class with its parent and count");
         const auto [known, is_new] = parent_of.try_emplace(name, parent);
-        if (!is_new && known->second != parent) name = parent + "/" + name;
+        if (!is_new && known->second != parent) name.insert(0, parent + "/");
         for (std::size_t i = 0; i < *count; ++i) {
             const std::optional<std::size_t> number = words.next_number();
             if (!number) return damaged("file number");

@@ -12,7 +12,7 @@
 namespace core {
 namespace {
 
-using std::string_view_literals::operator""sv;
+using namespace std::string_view_literals;
 
 constexpr std::array kArchives{"PK\x03\x04"sv,
                                "\x1f\x8b"sv,
