@@ -1,6 +1,7 @@
 #pragma once
 // What a device can report, and the way from its own numbers to a PenSample.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -33,6 +34,20 @@ struct PenAxes {
         return a->span() / a->per_unit;
     }
 };
+
+/// The axes by the names that files give them.
+struct NamedAxis {
+    const char* name;
+    std::optional<AxisRange> PenAxes::*range;
+};
+inline constexpr std::array<NamedAxis, 8> kNamedAxes{{{"x", &PenAxes::x},
+                                                      {"y", &PenAxes::y},
+                                                      {"pressure", &PenAxes::pressure},
+                                                      {"tilt_x", &PenAxes::tilt_x},
+                                                      {"tilt_y", &PenAxes::tilt_y},
+                                                      {"rotation", &PenAxes::rotation},
+                                                      {"distance", &PenAxes::distance},
+                                                      {"wheel", &PenAxes::wheel}}};
 
 /// A pen's state in the device's own numbers.
 struct PenReport {

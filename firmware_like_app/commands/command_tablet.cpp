@@ -81,7 +81,9 @@ void run_list(const TabletOptions& options, CommandState& state) {
         }
     }
     if (options.json) {
-        std::printf("%s\n", ordered_json{{"tablets", tablets}}.dump().c_str());
+        std::printf(
+            "%s\n",
+            ordered_json{{"tablets", tablets}}.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
     } else if (tablets.empty()) {
         std::printf("no tablet is attached\n");
     }
@@ -214,7 +216,10 @@ void run_monitor(const TabletOptions& options, CommandState& state) {
         }
         return true;
     });
-    if (options.json) std::printf("%s\n", monitor_json(tablets, (*source)->lost()).dump().c_str());
+    if (options.json)
+        std::printf("%s\n", monitor_json(tablets, (*source)->lost())
+                                .dump(-1, ' ', false, ordered_json::error_handler_t::replace)
+                                .c_str());
     if (tablets.empty()) {
         fail(state,
              {core::ErrorCode::FileMissing, "no tablet is attached; plug one in, and see croquis tablet list", ""});
@@ -244,12 +249,13 @@ void decode_descriptor(const TabletOptions& options, const std::string& text, Co
                                {"parser", "descriptor"},
                                {"descriptor", j},
                                {"samples", ordered_json::array()}};
-        std::printf("%s\n", out.dump().c_str());
+        std::printf("%s\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
         return;
     }
     std::printf("%zu bytes, %zu pens\n", bytes.size(), j["pens"].size());
     for (const auto& pen : j["pens"])
-        std::printf("  %s: %s\n", pen["name"].get<std::string>().c_str(), pen["axes"].dump().c_str());
+        std::printf("  %s: %s\n", pen["name"].get<std::string>().c_str(),
+                    pen["axes"].dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
 }
 
 /// What the caller says of the device, over what lies beside the file. A sentence when it makes no sense.
@@ -292,7 +298,7 @@ void print_decoded(const TabletOptions& options, const Decoded& d) {
         if (d.ranges_from_recording) out["ranges"] = "from the recording";
         out["rate_hz"] = input::report_rate_hz(d.samples);
         out["samples"] = samples_json(d.samples);
-        std::printf("%s\n", out.dump().c_str());
+        std::printf("%s\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
         return;
     }
     std::printf("%s %s, parser %s, %zu samples, %.0f Hz%s\n", d.device.name.c_str(),

@@ -94,7 +94,7 @@ void run_info(const TraceOptions& options, CommandState& state) {
                                {"strokes", strokes},
                                {"differing", input::decode_trace(trace).differing},
                                {"damaged", trace.fault_count}};
-        std::printf("%s\n", out.dump().c_str());
+        std::printf("%s\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
     } else {
         std::printf("%s: %zu reports, %zu frames, %zu samples, %zu strokes in %.1f s, %.0f samples a second\n",
                     ink->format.c_str(), counts.reports, counts.frames, counts.samples, strokes, duration_ms / 1000,
@@ -130,7 +130,7 @@ void run_convert(const TraceOptions& options, CommandState& state) {
     if (const auto written = input::write_whole_file(options.out, *text); !written) return fail(state, written.error());
     if (options.json) {
         const ordered_json out{{"from", ink->format}, {"out", options.out}, {"strokes", strokes.size()}};
-        std::printf("%s\n", out.dump().c_str());
+        std::printf("%s\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
     } else {
         std::printf("%s: %zu strokes\n", options.out.c_str(), strokes.size());
     }
@@ -167,7 +167,7 @@ void run_replay(const TraceOptions& options, CommandState& state) {
     const std::vector<input::PenStroke> strokes = replay(ink->trace, options);
     if (options.json) {
         const ordered_json out{{"format", ink->format}, {"strokes", strokes_json(strokes)}};
-        std::printf("%s\n", out.dump().c_str());
+        std::printf("%s\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
     } else if (strokes.empty()) {
         std::printf("no strokes\n");
     }
@@ -199,7 +199,7 @@ void run_record(const TraceOptions& options, CommandState& state) {
     recorder->reset();
     if (options.json) {
         const ordered_json out{{"out", options.out}, {"tablets", devices}, {"samples", samples}, {"lost", lost}};
-        std::printf("%s\n", out.dump().c_str());
+        std::printf("%s\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
     } else {
         std::printf("%s: %zu tablets, %zu samples, %llu lost\n", options.out.c_str(), devices, samples,
                     static_cast<unsigned long long>(lost));

@@ -51,18 +51,11 @@ ordered_json samples_json(const std::vector<input::PenSample>& samples) {
 
 ordered_json axes_json(const input::PenAxes& a) {
     ordered_json j = ordered_json::object();
-    const std::array<std::pair<const char*, const std::optional<input::AxisRange>*>, 8> all{{{"x", &a.x},
-                                                                                             {"y", &a.y},
-                                                                                             {"pressure", &a.pressure},
-                                                                                             {"tilt_x", &a.tilt_x},
-                                                                                             {"tilt_y", &a.tilt_y},
-                                                                                             {"rotation", &a.rotation},
-                                                                                             {"distance", &a.distance},
-                                                                                             {"wheel", &a.wheel}}};
-    for (const auto& [name, range] : all) {
-        if (!*range) continue;
-        j[name] = {{"min", (*range)->min}, {"max", (*range)->max}};
-        if ((*range)->per_unit > 0.0) j[name]["per_unit"] = (*range)->per_unit;
+    for (const auto& [name, member] : input::kNamedAxes) {
+        const std::optional<input::AxisRange>& range = a.*member;
+        if (!range) continue;
+        j[name] = {{"min", range->min}, {"max", range->max}};
+        if (range->per_unit > 0.0) j[name]["per_unit"] = range->per_unit;
     }
     if (a.width_mm() && a.height_mm()) j["size_mm"] = {*a.width_mm(), *a.height_mm()};
     return j;

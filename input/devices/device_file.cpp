@@ -157,16 +157,8 @@ class Reader {
             return a;
         }
         only(axes, member, {"x", "y", "pressure", "tilt_x", "tilt_y", "rotation", "distance", "wheel"});
-        const std::array<std::pair<const char*, std::optional<AxisRange>*>, 8> all{{{"x", &a.x},
-                                                                                    {"y", &a.y},
-                                                                                    {"pressure", &a.pressure},
-                                                                                    {"tilt_x", &a.tilt_x},
-                                                                                    {"tilt_y", &a.tilt_y},
-                                                                                    {"rotation", &a.rotation},
-                                                                                    {"distance", &a.distance},
-                                                                                    {"wheel", &a.wheel}}};
-        for (const auto& [name, axis] : all) {
-            if (axes.contains(name)) *axis = range_of(axes[name], name);
+        for (const auto& [name, axis] : kNamedAxes) {
+            if (axes.contains(name)) a.*axis = range_of(axes[name], name);
         }
         return a;
     }

@@ -18,19 +18,11 @@ std::optional<PenAxes> axes_of_strings(AxesFrom from, const UsbStrings& strings)
     return std::nullopt;
 }
 
-/// Fills the axes of `to` that are missing and have a field in the layout.
+/// Fills the axes of `to` that are missing.
 void complete(PenAxes& to, const PenAxes& from) {
-    const auto fill = [](std::optional<AxisRange>& a, const std::optional<AxisRange>& b) {
-        if (!a) a = b;
-    };
-    fill(to.x, from.x);
-    fill(to.y, from.y);
-    fill(to.pressure, from.pressure);
-    fill(to.tilt_x, from.tilt_x);
-    fill(to.tilt_y, from.tilt_y);
-    fill(to.rotation, from.rotation);
-    fill(to.distance, from.distance);
-    fill(to.wheel, from.wheel);
+    for (const auto& [name, range] : kNamedAxes) {
+        if (!(to.*range)) to.*range = from.*range;
+    }
 }
 
 /// No axis without a field.

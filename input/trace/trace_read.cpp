@@ -53,17 +53,9 @@ std::optional<AxisRange> range_of(const json& j) {
 
 PenAxes axes_of(const json& j) {
     PenAxes a;
-    const std::array<std::pair<const char*, std::optional<AxisRange>*>, 8> all{{{"x", &a.x},
-                                                                                {"y", &a.y},
-                                                                                {"pressure", &a.pressure},
-                                                                                {"tilt_x", &a.tilt_x},
-                                                                                {"tilt_y", &a.tilt_y},
-                                                                                {"rotation", &a.rotation},
-                                                                                {"distance", &a.distance},
-                                                                                {"wheel", &a.wheel}}};
     if (!j.is_object()) return a;
-    for (const auto& [name, range] : all) {
-        if (j.contains(name)) *range = range_of(j[name]);
+    for (const auto& [name, range] : kNamedAxes) {
+        if (j.contains(name)) a.*range = range_of(j[name]);
     }
     return a;
 }

@@ -53,16 +53,8 @@ ordered_json range_json(const AxisRange& r) {
 
 ordered_json axes_json(const PenAxes& a) {
     ordered_json j = ordered_json::object();
-    const std::array<std::pair<const char*, const std::optional<AxisRange>*>, 8> all{{{"x", &a.x},
-                                                                                      {"y", &a.y},
-                                                                                      {"pressure", &a.pressure},
-                                                                                      {"tilt_x", &a.tilt_x},
-                                                                                      {"tilt_y", &a.tilt_y},
-                                                                                      {"rotation", &a.rotation},
-                                                                                      {"distance", &a.distance},
-                                                                                      {"wheel", &a.wheel}}};
-    for (const auto& [name, range] : all) {
-        if (*range) j[name] = range_json(**range);
+    for (const auto& [name, range] : kNamedAxes) {
+        if (a.*range) j[name] = range_json(*(a.*range));
     }
     return j;
 }
