@@ -9,7 +9,7 @@
 namespace core {
 namespace {
 
-using std::string_view_literals::operator""sv;
+using namespace std::string_view_literals;
 
 constexpr std::size_t kEndBytes = 22, kEntryBytes = 46, kLongestComment = 65535;
 constexpr std::uint64_t kMostDirectoryBytes = 16ULL << 20;
