@@ -99,8 +99,8 @@ double field_girth(const BodyShape& shape, const CutPlane& plane, double about) 
 /// The lowest point of the trunk between the legs.
 double field_crotch(const BodyShape& shape, const BodyFrame& f) {
     double lowest = f.hip;
-    for (double z = -6.0; z <= 5.0; z += 1.0) {
-        const double down = way_out(shape, {0.0, f.hip, z}, {0, -1, 0});
+    for (int z = -6; z <= 5; ++z) {
+        const double down = way_out(shape, {0.0, f.hip, static_cast<double>(z)}, {0, -1, 0});
         lowest = std::min(lowest, f.hip - down);
     }
     return lowest;
@@ -109,8 +109,8 @@ double field_crotch(const BodyShape& shape, const BodyFrame& f) {
 double field_crown(const BodyShape& shape, const BodyFrame& f) {
     double highest = 0.0;
     const double from = f.stature - 10.0;
-    for (double z = 0.0; z <= 5.0; z += 0.5)
-        highest = std::max(highest, from + way_out(shape, {0, from, z}, {0, 1, 0}));
+    for (int half = 0; half <= 10; ++half)
+        highest = std::max(highest, from + way_out(shape, {0, from, half * 0.5}, {0, 1, 0}));
     return highest;
 }
 

@@ -147,7 +147,7 @@ Rgb Blob::colour_at(Vec3 p, double softness) const {
         g += w * s.colour.g;
         b += w * s.colour.b;
     }
-    const auto channel = [weight](double sum) { return static_cast<std::uint8_t>(sum / weight + 0.5); };
+    const auto channel = [weight](double sum) { return static_cast<std::uint8_t>(std::lround(sum / weight)); };
     return {channel(r), channel(g), channel(b)};
 }
 
@@ -192,10 +192,12 @@ TriangleMesh Blob::meshed(int cells) const {
     grid.ny = count(low.y, high.y);
     grid.nz = count(low.z, high.z);
     const double reach = longest_blend();
-    const int blocks_x = grid.nx / 4, blocks_y = grid.ny / 4;
+    const std::size_t blocks_x = static_cast<std::size_t>(grid.nx / 4),
+                      blocks_y = static_cast<std::size_t>(grid.ny / 4);
     std::vector<Blob> near(grid.at(grid.nx - 1, grid.ny - 1, grid.nz - 1) / 64 + 1, Blob(blend_));
     const auto block = [&](int x, int y, int z) -> Blob& {
-        return near[static_cast<std::size_t>((z / 4 * blocks_y + y / 4) * blocks_x + x / 4)];
+        const auto bx = static_cast<std::size_t>(x / 4), by = static_cast<std::size_t>(y / 4);
+        return near[(static_cast<std::size_t>(z / 4) * blocks_y + by) * blocks_x + bx];
     };
     grid.value.resize(grid.at(grid.nx - 1, grid.ny - 1, grid.nz - 1) + 1);
     for (int z = 0; z < grid.nz; z += 4)

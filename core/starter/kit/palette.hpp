@@ -17,6 +17,7 @@ inline constexpr Rgb kCream{243, 232, 209}, kIvory{236, 222, 190}, kWhite{246, 2
 /// Part of the way from a to b: t = 0 gives a, t = 1 gives b.
 [[nodiscard]] constexpr Rgb mixed(Rgb a, Rgb b, double t) {
     const auto channel = [t](std::uint8_t from, std::uint8_t to) {
+        // NOLINTNEXTLINE(bugprone-incorrect-roundings): never below 0, and lround is not constexpr
         return static_cast<std::uint8_t>(from + (to - from) * t + 0.5);
     };
     return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};

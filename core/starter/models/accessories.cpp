@@ -147,6 +147,7 @@ TriangleMesh glasses(const Glasses& g) {
                        g.ry * std::copysign(std::pow(std::abs(s), power), s), 0});
     }
     std::vector<Point> pane;
+    pane.reserve(rim.size());
     for (const Vec3 p : rim) pane.push_back({p.x, p.y});
     a.pair_x(loop(rim, 0.035, g.frame, 4))
         .pair_x(slab(closed_spline(pane, 3), 0.02, 0.005, g.lens))
