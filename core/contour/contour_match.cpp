@@ -18,98 +18,156 @@ constexpr double kPlainness = 0.5;  // keeps the complexity of two discs from di
 constexpr double kAlignmentWeight = 5.34;
 constexpr double kCoverWeight = 2.67;
 
-// Sixteen short integers worked on at once; whole numbers are equal on every machine.
+// Whole numbers worked on at once; they are equal on every machine.
 using Shorts = std::int16_t __attribute__((vector_size(32)));
-/// They in an array of short integers, wherever it lies.
+using Bytes = std::uint8_t __attribute__((vector_size(32)));
+using Half = std::uint8_t __attribute__((vector_size(16)));
+/// They in an array, wherever it lies.
 struct __attribute__((packed, may_alias)) LooseShorts {
     Shorts v;
 };
-using Bytes = std::uint8_t __attribute__((vector_size(16)));
-constexpr std::size_t kWide = 16;
-constexpr std::size_t kBlocks = kFramePoints / kWide;
+struct __attribute__((packed, may_alias)) LooseBytes {
+    Bytes v;
+};
+constexpr std::size_t kShorts = 16, kBytes = 32;
+constexpr std::size_t kBlocks = kFramePoints / kShorts;              // of turns, in the dynamic program
+constexpr std::size_t kRowBlocks = MatchableContour::kRow / kBytes;  // of points
+constexpr std::size_t kBand = 2 * kStray + 1;
 constexpr std::int16_t kNever = 30'000;  // above every cost of an alignment, and no overflow when a step is added
+/// A pair that costs more is better left out on both sides.
+constexpr int kMostOfPair = 2 * kLeftOut;
 
-static_assert(kFramePoints % kWide == 0 && kFrameChannels == kWide);
-static_assert((2 * kFramePoints + kStray) * kLeftOut < kNever);
-static_assert(kNever + 2 * kFrameStretches * (kGreatestHeight + kGreatestAhead) <= INT16_MAX);
-static_assert(2 * kFramePoints + 2 * kStray < ContourMatcher::kRow);
+static_assert(kFramePoints % kShorts == 0 && kFrameChannels == kShorts && MatchableContour::kRow % kBytes == 0);
+static_assert((2 * kFramePoints + kStray) * kLeftOut < kNever && kNever + kMostOfPair <= INT16_MAX);
+static_assert(kMostOfPair <= UINT8_MAX && kGreatestHeight < MatchableContour::kZero &&
+              kGreatestAhead < MatchableContour::kZero);
+static_assert(2 * kFramePoints + kBytes <= ContourMatcher::kRow);
 
-using Points = std::array<std::array<std::int16_t, kFrameChannels>, kFramePoints>;
-using Channels = std::array<std::array<std::int16_t, kFramePoints>, kFrameChannels>;
-using Differences = std::array<std::array<std::int16_t, ContourMatcher::kRow>, kFramePoints>;
+using Points = MatchableContour::Points;
+using Channels = MatchableContour::Channels;
+using TurnBounds = ContourMatcher::TurnBounds;
+using Differences = ContourMatcher::Differences;
 
-/// Differences of all frames of A and B. Gives a sum that no alignment of them costs less than: every point of B has
-/// its nearest of A, or is left out, and so is one of A.
-CROQUIS_LANES_CLONES int fill_differences(const Points& low_a, const Points& high_a, const Channels& low_b,
-                                          const Channels& high_b, Differences& out) {
-    Shorts nearest[kBlocks];
-    for (Shorts& n : nearest) n = Shorts{} + static_cast<std::int16_t>(2 * kLeftOut);
-    for (std::size_t i = 0; i < kFramePoints; ++i) {
-        Shorts sum[kBlocks] = {};
-        for (std::size_t k = 0; k < kFrameChannels; ++k) {
-            const Shorts low = Shorts{} + low_a[i][k], high = Shorts{} + high_a[i][k];
-            for (std::size_t g = 0; g < kBlocks; ++g) {
-                const Shorts above = reinterpret_cast<const LooseShorts*>(&low_b[k][g * kWide])->v - high;
-                const Shorts below = low - reinterpret_cast<const LooseShorts*>(&high_b[k][g * kWide])->v;
-                const Shorts gap = above > below ? above : below;
-                sum[g] += gap > 0 ? gap : Shorts{};
-            }
-        }
-        for (std::size_t g = 0; g < kBlocks; ++g) {
-            nearest[g] = sum[g] < nearest[g] ? sum[g] : nearest[g];
-            reinterpret_cast<LooseShorts*>(&out[i][g * kWide])->v = sum[g];
-            reinterpret_cast<LooseShorts*>(&out[i][(kBlocks + g) * kWide])->v = sum[g];
-        }
-        reinterpret_cast<LooseShorts*>(&out[i][2 * kBlocks * kWide])->v = sum[0];
-    }
-    int bound = 0;
-    for (const Shorts& n : nearest) {
-        for (std::size_t s = 0; s < kWide; ++s) bound += n[s];
-    }
-    return bound;
+// By reference: a vector that is handed over by value would be so in another way where there is AVX2.
+template <class V>
+void keep_least(V& a, const V& b) {
+    a = a < b ? a : b;
+}
+template <class V>
+void keep_most(V& a, const V& b) {
+    a = a > b ? a : b;
+}
+int least_of(const Shorts& v) {
+    std::int16_t least = v[0];
+    for (std::size_t s = 1; s < kShorts; ++s) least = std::min(least, v[s]);
+    return least;
+}
+/// Leaves 0 where it would come below it.
+template <class V>
+void take_off(V& a, const V& b) {
+    keep_most(a, b);
+    a -= b;
 }
 
-/// The least cost of an alignment. cost[d] is that of the best one of the points of A so far with the same number of
-/// points of B, plus d - kStray, in one lane for every turn.
-CROQUIS_LANES_CLONES int least_alignment(const Differences& differences) {
-    constexpr std::size_t kBand = 2 * kStray + 1;
-    const Shorts never = Shorts{} + kNever, left_out = Shorts{} + static_cast<std::int16_t>(kLeftOut);
-    Shorts least = never;
-    for (std::size_t g = 0; g < kBlocks; ++g) {
-        Shorts cost[kBand];
-        for (std::size_t d = 0; d < kBand; ++d) {
-            cost[d] =
-                d < kStray
-                    ? never
-                    : Shorts{} + static_cast<std::int16_t>((static_cast<int>(d) - static_cast<int>(kStray)) * kLeftOut);
+constexpr std::size_t kRounds = ContourMatcher::kRounds, kRound = kFramePoints / kRounds;
+
+/// Differences of a round of frames of A and all of B, and no more than kMostOfPair.
+CROQUIS_LANES_CLONES void fill_differences(const Points& low_a, const Points& high_a, const Channels& low_b,
+                                           const Channels& high_b, std::size_t round, Differences& out) {
+    for (std::size_t i = round * kRound; i < (round + 1) * kRound; ++i) {
+        Bytes left[kRowBlocks];  // of kMostOfPair
+        for (Bytes& l : left) l = Bytes{} + static_cast<std::uint8_t>(kMostOfPair);
+        for (std::size_t k = 0; k < kFrameChannels; ++k) {
+            const Bytes low = Bytes{} + low_a[i][k], high = Bytes{} + high_a[i][k];
+#pragma GCC unroll 3
+            for (std::size_t g = 0; g < kRowBlocks; ++g) {
+                Bytes upper = low, lower = high;
+                keep_most(upper, reinterpret_cast<const LooseBytes*>(&low_b[k][g * kBytes])->v);
+                keep_least(lower, reinterpret_cast<const LooseBytes*>(&high_b[k][g * kBytes])->v);
+                take_off(upper, lower);
+                take_off(left[g], upper);
+            }
         }
-        for (std::size_t i = 0; i < kFramePoints; ++i) {
-            const std::int16_t* row = &differences[i][i + g * kWide];
+        // A row holds B's points twice and a little, so that every turn is a run in it.
+#pragma GCC unroll 3
+        for (std::size_t g = 0; g < kRowBlocks; ++g) {
+            const Bytes sum = static_cast<std::uint8_t>(kMostOfPair) - left[g];
+            reinterpret_cast<LooseBytes*>(&out[i][g * kBytes])->v = sum;
+            reinterpret_cast<LooseBytes*>(&out[i][kFramePoints + g * kBytes])->v = sum;
+        }
+        reinterpret_cast<LooseBytes*>(&out[i][2 * kFramePoints])->v = static_cast<std::uint8_t>(kMostOfPair) - left[0];
+    }
+}
+
+/// What alignments by each turn cost at least up to the end of a round of points, from what they did up to its start:
+/// every point of A has a partner within the band, or is left out, and so is one of B.
+CROQUIS_LANES_CLONES int fill_turn_bounds(const Differences& differences, std::size_t round, const TurnBounds& before,
+                                          TurnBounds& bounds) {
+    Shorts sums[2 * kRowBlocks];
+    std::memcpy(sums, before.data(), sizeof sums);
+    for (std::size_t i = round * kRound; i < (round + 1) * kRound; ++i) {
+#pragma GCC unroll 3
+        for (std::size_t g = 0; g < kRowBlocks; ++g) {
+            const std::uint8_t* run = &differences[i][i + g * kBytes];
+            Bytes nearest = reinterpret_cast<const LooseBytes*>(run)->v;
+#pragma GCC unroll 20
+            for (std::size_t d = 1; d < kBand; ++d) {
+                keep_least(nearest, reinterpret_cast<const LooseBytes*>(run + d)->v);
+            }
+            Half halves[2];
+            std::memcpy(halves, &nearest, sizeof nearest);
+            for (std::size_t h = 0; h < 2; ++h) sums[2 * g + h] += __builtin_convertvector(halves[h], Shorts);
+        }
+    }
+    std::memcpy(bounds.data(), sums, sizeof sums);
+    Shorts least = sums[0];
+    for (std::size_t g = 1; g < kBlocks; ++g) keep_least(least, sums[g]);
+    return least_of(least);
+}
+
+/// The least cost of an alignment by the turns of one block, or something not below `limit`. `until` is what the points
+/// before each round cost at least.
+///
+/// cost[d] is that of the best alignment of the points of A so far with the same number of points of B and `further` =
+/// d - kStray more, less kLeftOut for each of these: so leaving out one more of B costs nothing here, and the least of
+/// all is the last. One lane for every turn.
+CROQUIS_LANES_CLONES int least_alignment(const Differences& differences, std::size_t block,
+                                         const std::array<TurnBounds, kRounds + 1>& until, int limit) {
+    const Shorts never = Shorts{} + kNever, of_both = Shorts{} + static_cast<std::int16_t>(kMostOfPair);
+    Shorts cost[kBand];
+    for (std::size_t d = 0; d < kBand; ++d) cost[d] = d < kStray ? never : Shorts{};
+    int result = 0;
+    for (std::size_t round = 0; round < kRounds && result < limit; ++round) {
+        for (std::size_t i = round * kRound; i < (round + 1) * kRound; ++i) {
+            const std::uint8_t* row = &differences[i][i + block * kShorts];
             Shorts before = never;
 #pragma GCC unroll 20
             for (std::size_t d = 0; d < kBand; ++d) {
-                const Shorts paired = cost[d] + reinterpret_cast<const LooseShorts*>(row + d)->v;
-                const Shorts above = d + 1 < kBand ? cost[d + 1] : never;
-                const Shorts left = (before < above ? before : above) + left_out;
-                before = paired < left ? paired : left;
+                Half pair;
+                std::memcpy(&pair, row + d, sizeof pair);
+                Shorts best = cost[d] + __builtin_convertvector(pair, Shorts);
+                if (d + 1 < kBand) keep_least(best, cost[d + 1] + of_both);
+                keep_least(before, best);
                 cost[d] = before;
             }
         }
-        least = cost[kStray] < least ? cost[kStray] : least;
+        // Where B is ahead, as many points of A can still be left out without one of B; where A is, B's must be.
+        Shorts least = cost[kBand - 1];
+        least += reinterpret_cast<const LooseShorts*>(&until[kRounds][block * kShorts])->v -
+                 reinterpret_cast<const LooseShorts*>(&until[round + 1][block * kShorts])->v;
+        result = least_of(least);
     }
-    int result = kNever;
-    for (std::size_t s = 0; s < kWide; ++s) result = std::min<int>(result, least[s]);
-    return result;
+    return result < limit ? least_of(cost[kStray]) : result;
 }
 
 CROQUIS_LANES_CLONES int least_cover_difference(const ContourDescriptor& a, const ContourDescriptor& b) {
-    constexpr std::size_t kHalves = kPolarSectors / kWide;
+    constexpr std::size_t kWide = kShorts, kHalves = kPolarSectors / kWide;
     static_assert(kPolarSectors % kWide == 0);
     alignas(32) std::int16_t own[kPolarRings][kPolarSectors];
     alignas(32) std::int16_t other[2][kPolarRings][2 * kPolarSectors];
     for (std::size_t r = 0; r < kPolarRings; ++r) {
         for (std::size_t h = 0; h < kHalves; ++h) {
-            Bytes from_a, from_b;
+            Half from_a, from_b;
             std::memcpy(&from_a, &a.cover[r][h * kWide], kWide);
             std::memcpy(&from_b, &b.cover[r][h * kWide], kWide);
             const Shorts wide = __builtin_convertvector(from_b, Shorts);
@@ -148,8 +206,9 @@ void mirror_points(const Points& low, const Points& high, Points& mirrored_low, 
             const std::size_t height = kFrameStretches - 1 - m, ahead = kFrameChannels - 1 - m;
             mirrored_low[i][m] = low[from][height];
             mirrored_high[i][m] = high[from][height];
-            mirrored_low[i][kFrameStretches + m] = static_cast<std::int16_t>(-high[from][ahead]);
-            mirrored_high[i][kFrameStretches + m] = static_cast<std::int16_t>(-low[from][ahead]);
+            constexpr int kTwice = 2 * MatchableContour::kZero;
+            mirrored_low[i][kFrameStretches + m] = static_cast<std::uint8_t>(kTwice - high[from][ahead]);
+            mirrored_high[i][kFrameStretches + m] = static_cast<std::uint8_t>(kTwice - low[from][ahead]);
         }
     }
 }
@@ -161,6 +220,15 @@ double combined(const MatchableContour& a, const MatchableContour& b, int alignm
     constexpr double kUnit = 1.0 / (static_cast<double>(kFramePoints * kFrameChannels) * kGreatestHeight);
     constexpr double kCoverUnit = 1.0 / (255.0 * kPolarRings * kPolarSectors);
     return kAlignmentWeight * kUnit * alignment / (kPlainness + complexity) + kCoverWeight * kCoverUnit * cover;
+}
+
+/// The least alignment with which the distance is not below `give_up_at`; kNever if there is none.
+int useless_from(const MatchableContour& a, const MatchableContour& b, int cover, double give_up_at) {
+    int useless = 0;
+    for (int step = 1 << 14; step > 0; step /= 2) {
+        if (useless + step <= kNever && combined(a, b, useless + step - 1, cover) < give_up_at) useless += step;
+    }
+    return useless;
 }
 
 /// Sums of the heights of a frame, and of its distances ahead, with signs by which each tells something else about it
@@ -184,10 +252,11 @@ void fill_sums(MatchableContour& contour) {
         for (std::size_t i = 0; i < kFramePoints; ++i) {
             int low = 0, high = 0;
             for (std::size_t m = 0; m < kFrameStretches; ++m) {
-                const int least = contour.low_at[i][first + m], most = contour.high_at[i][first + m];
+                const int lowest = contour.low_at[i][first + m] - MatchableContour::kZero;
+                const int highest = contour.high_at[i][first + m] - MatchableContour::kZero;
                 const bool plus = walsh_sign(k, m) > 0;
-                low += plus ? least : -most;
-                high += plus ? most : -least;
+                low += plus ? lowest : -highest;
+                high += plus ? highest : -lowest;
             }
             contour.low_sums[k] += std::clamp(low, -kLeftOut, kLeftOut);
             contour.high_sums[k] += std::clamp(high, -kLeftOut, kLeftOut);
@@ -220,8 +289,13 @@ MatchableContour matchable(const ContourDescriptor& descriptor) {
             const int own = channel[i];
             const int before = own + quarter(channel[(i + kFramePoints - 1) % kFramePoints] - own);
             const int after = own + quarter(channel[(i + 1) % kFramePoints] - own);
-            out.low[k][i] = out.low_at[i][k] = static_cast<std::int16_t>(std::min({own, before, after}));
-            out.high[k][i] = out.high_at[i][k] = static_cast<std::int16_t>(std::max({own, before, after}));
+            constexpr int kZero = MatchableContour::kZero;
+            out.low[k][i] = out.low_at[i][k] = static_cast<std::uint8_t>(kZero + std::min({own, before, after}));
+            out.high[k][i] = out.high_at[i][k] = static_cast<std::uint8_t>(kZero + std::max({own, before, after}));
+        }
+        for (std::size_t i = kFramePoints; i < MatchableContour::kRow; ++i) {
+            out.low[k][i] = out.low[k][i - kFramePoints];
+            out.high[k][i] = out.high[k][i - kFramePoints];
         }
     }
     fill_sums(out);
@@ -245,6 +319,20 @@ double lower_bound(const MatchableContour& a, const MatchableContour& b) {
     return combined(a, b, std::min(straight, turned), cover);
 }
 
+/// Fills differences_, until_ and blocks_ for A in one direction, or stops where no turn can stay below `limit`.
+void ContourMatcher::bound_turns(std::size_t direction, const MatchableContour::Points& low,
+                                 const MatchableContour::Points& high, const MatchableContour& b, int limit) {
+    auto& until = until_[direction];
+    for (std::size_t round = 0; round < kRounds; ++round) {
+        fill_differences(low, high, b.low, b.high, round, differences_[direction]);
+        if (fill_turn_bounds(differences_[direction], round, until[round], until[round + 1]) >= limit) return;
+    }
+    for (std::size_t k = 0; k < kBlocks; ++k) {
+        const std::int16_t* first = &until[kRounds][k * kShorts];
+        blocks_[block_count_++] = {*std::min_element(first, first + kShorts), direction, k};
+    }
+}
+
 double ContourMatcher::distance(const MatchableContour& a, const MatchableContour& b, double give_up_at) {
     if (!in_order(a, b)) return distance(b, a, give_up_at);
     double least = lower_bound(a, b);
@@ -252,14 +340,20 @@ double ContourMatcher::distance(const MatchableContour& a, const MatchableContou
     const int cover = least_cover_difference(a.descriptor, b.descriptor);
     least = combined(a, b, 0, cover);
     if (least >= give_up_at) return least;
-    const int bound = fill_differences(a.low_at, a.high_at, b.low, b.high, differences_);
-    double straight = combined(a, b, bound, cover);
-    if (straight < give_up_at) straight = combined(a, b, least_alignment(differences_), cover);
+    const int limit = useless_from(a, b, cover, give_up_at);
     mirror_points(a.low_at, a.high_at, mirrored_low_, mirrored_high_);
-    const double limit = std::min(give_up_at, straight);
-    double turned = combined(a, b, fill_differences(mirrored_low_, mirrored_high_, b.low, b.high, differences_), cover);
-    if (turned < limit) turned = combined(a, b, least_alignment(differences_), cover);
-    return std::min(straight, turned);
+    block_count_ = 0;
+    bound_turns(0, a.low_at, a.high_at, b, limit);
+    bound_turns(1, mirrored_low_, mirrored_high_, b, limit);
+    std::sort(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(block_count_),
+              [](const Block& x, const Block& y) { return x.bound < y.bound; });
+    int alignment = limit;
+    if (block_count_ > 0) ++aligned_pairs_;
+    for (std::size_t k = 0; k < block_count_ && blocks_[k].bound < alignment; ++k) {
+        const auto [of_block, direction, block] = blocks_[k];
+        alignment = std::min(alignment, least_alignment(differences_[direction], block, until_[direction], alignment));
+    }
+    return combined(a, b, alignment, cover);
 }
 
 }  // namespace core

@@ -34,11 +34,16 @@ namespace core {
 /// A descriptor laid out for matching.
 struct MatchableContour {
     ContourDescriptor descriptor;
+    /// How long a row of points is, the first ones being there once more at its end: whole vectors.
+    static constexpr std::size_t kRow = 96;
+    static constexpr int kZero = 64;  ///< what 0 is stored as
+    using Channels = std::array<std::array<std::uint8_t, kRow>, kFrameChannels>;
+    using Points = std::array<std::array<std::uint8_t, kFrameChannels>, kFramePoints>;
     /// What each channel runs through from a quarter of a step before a point to a quarter after it: lowest and
     /// highest. One row a channel …
-    std::array<std::array<std::int16_t, kFramePoints>, kFrameChannels> low{}, high{};
+    Channels low{}, high{};
     /// … and one row a point.
-    std::array<std::array<std::int16_t, kFrameChannels>, kFramePoints> low_at{}, high_at{};
+    Points low_at{}, high_at{};
     /// Sums over all points of bounded functions of the frames, at their lowest and highest: see lower_bound.
     std::array<std::int32_t, kFrameChannels> low_sums{}, high_sums{};
     std::array<std::int32_t, kPolarRings> ring_sums{};  ///< of the cover
@@ -56,11 +61,34 @@ class ContourMatcher {
     [[nodiscard]] double distance(const MatchableContour& a, const MatchableContour& b,
                                   double give_up_at = std::numeric_limits<double>::infinity());
 
-    static constexpr std::size_t kRow = 2 * kFramePoints + 16;  ///< of differences: every turn is a run in it
+    /// How many pairs of shapes no bound has spared their alignment so far.
+    [[nodiscard]] std::size_t aligned_pairs() const { return aligned_pairs_; }
+
+    /// Of differences: B's points twice and a little more, so that every turn is a run in it.
+    static constexpr std::size_t kRow = 2 * kFramePoints + 32;
+    using Differences = std::array<std::array<std::uint8_t, kRow>, kFramePoints>;  ///< A's points x B's
+    /// A sum for every turn; those past a whole turn mean nothing.
+    using TurnBounds = std::array<std::int16_t, MatchableContour::kRow>;
+    /// A's points are worked on in rounds: long before the last of them those so far say whether the alignment can
+    /// still be good enough.
+    static constexpr std::size_t kRounds = 5;
 
   private:
-    std::array<std::array<std::int16_t, kFrameChannels>, kFramePoints> mirrored_low_{}, mirrored_high_{};  // A's
-    std::array<std::array<std::int16_t, kRow>, kFramePoints> differences_{};  // A's points x B's, B's twice
+    /// Sixteen turns that are aligned at once.
+    struct Block {
+        int bound = 0;  ///< none of them costs less
+        std::size_t direction = 0, block = 0;
+    };
+    void bound_turns(std::size_t direction, const MatchableContour::Points& low, const MatchableContour::Points& high,
+                     const MatchableContour& b, int limit);
+
+    // Of both directions of A:
+    MatchableContour::Points mirrored_low_{}, mirrored_high_{};
+    std::array<Differences, 2> differences_{};
+    std::array<std::array<TurnBounds, kRounds + 1>, 2> until_{};  // what the points before a round cost at least
+    std::array<Block, 2 * kFramePoints / 16> blocks_{};
+    std::size_t block_count_ = 0;
+    std::size_t aligned_pairs_ = 0;
 };
 
 }  // namespace core

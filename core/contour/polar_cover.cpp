@@ -25,13 +25,13 @@ void add_edge(RayCover& cover, Point p, Point q) {
     const bool anti_clockwise = turn > 0.0;
     const double from = std::atan2(p.y, p.x) / kStep - 0.5, to = from + turn / kStep;  // rays lie at n + 1/2
     const double low = std::min(from, to), high = std::max(from, to);
-    for (double n = std::ceil(low); n < high; n += 1.0) {
-        const double angle = (n + 0.5) * kStep;
+    for (auto n = static_cast<long>(std::ceil(low)); static_cast<double>(n) < high; ++n) {
+        const double angle = (static_cast<double>(n) + 0.5) * kStep;
         const Point ray{std::cos(angle), std::sin(angle)};
         const double across = cross(ray, q - p);
         if (across == 0.0) continue;
         const double radius = std::clamp(cross(p, q - p) / across, 0.0, static_cast<double>(kPolarRings));
-        const auto index = static_cast<std::size_t>(static_cast<long>(n) + 2 * static_cast<long>(kRays)) % kRays;
+        const auto index = static_cast<std::size_t>(n + 2 * static_cast<long>(kRays)) % kRays;
         for (std::size_t k = 0; k < kPolarRings && static_cast<double>(k) < radius; ++k) {
             const double within = std::min(radius - static_cast<double>(k), 1.0);
             cover[k][index] += anti_clockwise ? within : -within;

@@ -247,3 +247,22 @@ TEST_CASE("a contour matcher keeps nothing of one pair that shows in the next", 
     (void)used.distance(all[2].contour, all[0].contour, 0.01);
     CHECK(used.distance(all[3].contour, all[1].contour) == fresh.distance(all[3].contour, all[1].contour));
 }
+
+TEST_CASE("giving up early never changes a distance that is good enough", "[contour_match]") {
+    ContourMatcher matcher;
+    const std::vector<Named> all = shapes();
+    for (const Named& a : all) {
+        for (const Named& b : all) {
+            INFO(a.name << " and " << b.name);
+            const double d = matcher.distance(a.contour, b.contour);
+            for (const double share : {0.01, 0.3, 0.7, 0.9, 0.99, 1.0}) {
+                CHECK(matcher.distance(a.contour, b.contour, share * d) >= share * d);
+                CHECK(matcher.distance(a.contour, b.contour, share * d) <= d);
+            }
+            const double just_above = std::nextafter(d, 10.0);
+            for (const double limit : {just_above, 1.01 * d + 1e-9, 2.0 * d + 1e-9}) {
+                CHECK(matcher.distance(a.contour, b.contour, limit) == d);
+            }
+        }
+    }
+}
