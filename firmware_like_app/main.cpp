@@ -6,7 +6,7 @@
 
 #include "firmware_like_app/commands/commands.hpp"
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     CLI::App cli{"Croquis: draw it, find it.", "croquis"};
     cli.require_subcommand(1);
     cli.set_version_flag("--version", CROQUIS_VERSION);
@@ -26,9 +26,9 @@ int main(int argc, char** argv) {
         cli.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return cli.exit(error) == 0 ? 0 : 2;
-    } catch (const std::exception& error) {  // out of memory and the like: no command lets its own errors out
-        std::fprintf(stderr, "croquis: %s\n", error.what());
-        return 1;
     }
     return state.exit_code;
+} catch (const std::exception& error) {  // out of memory and the like: no command lets its own errors out
+    std::fprintf(stderr, "croquis: %s\n", error.what());
+    return 1;
 }

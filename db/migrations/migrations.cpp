@@ -20,8 +20,9 @@ core::Result<void> apply(const Database& database, std::size_t from) {
 /// Looks at the version again under the write lock, so that two programs opening at once migrate once.
 core::Result<void> migrate(const Database& database) {
     // Counts for a new file only. A view's row is about 2 kB: pages of 4 kB would be half empty.
-    const core::Result<void> sized = database.execute("PRAGMA page_size = " + std::to_string(kPageSize));
-    if (!sized) return sized;
+    if (core::Result<void> sized = database.execute("PRAGMA page_size = " + std::to_string(kPageSize)); !sized) {
+        return sized;
+    }
     core::Result<Transaction> transaction = Transaction::begin(database, Transaction::Kind::Write);
     if (!transaction) return core::unexpected(transaction.error());
     const core::Result<std::int64_t> version = database.integer("PRAGMA user_version");

@@ -172,6 +172,7 @@ void run_shapes(const EvalOptions& options, CommandState& state) {
     if (!list) return fail(state, list.error());
     const std::vector<std::size_t> order = shuffled_order(list->files.size(), options.shuffle);
     std::vector<core::LabelledFile> files;
+    files.reserve(order.size());
     for (const std::size_t i : order) files.push_back(list->files[i]);
     const DescribedList described = describe_list(files, options.jobs);
     if (!described.failures.empty()) {
@@ -217,6 +218,7 @@ SketchTest test_sketches(const DescribedList& queries, const Collection& collect
         const std::vector<RankedModel> ranked = collection.rank(queries.shapes[q], reading, jobs);
         test.ms.push_back(watch.ms());
         std::vector<char> relevant;
+        relevant.reserve(ranked.size());
         for (const RankedModel& r : ranked) {
             relevant.push_back(collection.models()[r.model].record.class_name == queries.classes[q] ? 1 : 0);
         }

@@ -49,8 +49,9 @@ bool EvdevDescription::is_pen() const {
 
 std::vector<std::uint16_t> EvdevDescription::pen_keys() const {
     std::vector<std::uint16_t> out;
-    for (std::uint16_t code = 0; code < keys.size(); ++code) {
-        if (keys[code] && is_pen_key(code)) out.push_back(code);
+    for (std::size_t key = 0; key < keys.size(); ++key) {
+        const auto code = static_cast<std::uint16_t>(key);
+        if (keys[key] && is_pen_key(code)) out.push_back(code);
     }
     return out;
 }
@@ -66,8 +67,8 @@ void EvdevPen::resync(const EvdevDescription& d, const std::bitset<768>& pressed
     for (const auto& [code, tool] : kTools) has_tools_ = has_tools_ || d.keys[code];
     pressed_ = pressed;
     report_ = {};
-    for (std::uint16_t code = 0; code < d.axes.size(); ++code) {
-        if (d.axes[code]) set_axis(code, d.axes[code]->value);
+    for (std::size_t code = 0; code < d.axes.size(); ++code) {
+        if (d.axes[code]) set_axis(static_cast<std::uint16_t>(code), d.axes[code]->value);
     }
     report_.tool_id = 0;
     finish_frame();

@@ -68,7 +68,8 @@ void lend_size(EvdevDescription& d, const std::optional<TabletFacts>& facts) {
     const auto lend = [&](unsigned code, double mm) {
         auto& axis = d.axes[code];
         if (axis && axis->resolution == 0 && axis->max > axis->min) {
-            axis->resolution = static_cast<std::int32_t>((static_cast<double>(axis->max) - axis->min) / mm + 0.5);
+            axis->resolution =
+                static_cast<std::int32_t>(std::lround((static_cast<double>(axis->max) - axis->min) / mm));
         }
     };
     lend(ABS_X, facts->width_mm);
@@ -198,7 +199,7 @@ struct EvdevSource::Impl {
         std::optional<NodeState> state = ask(fd.get());
         if (!state || !state->description.is_pen()) return;
         if (options.grab && ioctl(fd.get(), EVIOCGRAB, 1) < 0 && errno == EBUSY) return cannot_open(node, EBUSY);
-        add(node, std::move(fd), std::move(*state));
+        add(node, std::move(fd), *state);
     }
 
     void add(const UdevNode& node, Fd fd, NodeState state) {

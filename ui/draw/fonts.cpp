@@ -159,7 +159,9 @@ std::vector<std::string> FontSet::wrap(const std::string& text, const TextStyle&
     while (at <= text.size()) {
         const std::size_t end = std::min(text.find(' ', at), text.size());
         const std::string word = text.substr(at, end - at);
-        const std::string longer = line.empty() ? word : line + " " + word;
+        std::string longer = line;
+        if (!line.empty()) longer += ' ';
+        longer += word;
         if (!line.empty() && width_px(longer, style) > limit_px) {
             lines.push_back(line);
             line = word;

@@ -293,7 +293,8 @@ core::Result<void> write_description_picture(const core::DescribedShape& shape, 
     const Page page(static_cast<int>(kColumns * kPanel), static_cast<int>(2.0 * (kPanel + kHead) + 40.0));
     page.text(16.0, 28.0, 20.0, kInk, title);
     for (int k = 0; k < 8; ++k) {
-        const double x = (k % kColumns) * kPanel, y = 40.0 + (k / kColumns) * (kPanel + kHead);
+        const int column = k % kColumns, row = k / kColumns;
+        const double x = column * kPanel, y = 40.0 + row * (kPanel + kHead);
         page.text(x + 16.0, y + 20.0, 15.0, kMuted, names[static_cast<std::size_t>(k)]);
         const Panel panel(page, s.samples, x, y + kHead, kPanel);
         switch (k) {
@@ -354,7 +355,8 @@ core::Result<void> write_match_picture(const std::vector<MatchPictureItem>& item
     for (std::size_t i = 0; i < items.size(); ++i) {
         const MatchPictureItem& item = items[i];
         const double x = static_cast<double>(i % static_cast<std::size_t>(columns)) * (2.0 * kSize + 20.0);
-        const double y = static_cast<double>(i / static_cast<std::size_t>(columns)) * (kSize + kHead);
+        const std::size_t row = i / static_cast<std::size_t>(columns);
+        const double y = static_cast<double>(row) * (kSize + kHead);
         char words[64];
         std::snprintf(words, sizeof words, "   %.1f%s", item.match->distance, item.match->reversed ? ", mirrored" : "");
         page.text(x + 12.0, y + 20.0, 14.0, kMuted, item.title_a + "  and  " + item.title_b + words);
@@ -372,7 +374,8 @@ core::Result<void> write_segmentation_sheet(const std::vector<core::DescribedSha
     const Page page(static_cast<int>(columns * kSize), static_cast<int>(rows * (kSize + 18.0)));
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         const double x = static_cast<double>(i % static_cast<std::size_t>(columns)) * kSize;
-        const double y = static_cast<double>(i / static_cast<std::size_t>(columns)) * (kSize + 18.0);
+        const std::size_t row = i / static_cast<std::size_t>(columns);
+        const double y = static_cast<double>(row) * (kSize + 18.0);
         page.text(x + 6.0, y + 14.0, 11.0, kMuted, titles[i]);
         const core::Skeleton& s = shapes[i].skeleton;
         draw_pieces(Panel(page, s.samples, x, y + 18.0, kSize), s, s.pieces, &s.graph);

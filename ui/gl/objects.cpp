@@ -210,6 +210,7 @@ VertexStream::VertexStream(std::initializer_list<int> layout, bool per_instance)
     std::size_t offset = 0;
     for (const int n : layout) {
         glEnableVertexAttribArray(attribute);
+        // The interface takes an offset into the buffer as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
         glVertexAttribPointer(attribute, n, GL_FLOAT, GL_FALSE, floats * static_cast<int>(sizeof(float)),
                               reinterpret_cast<const void*>(offset * sizeof(float)));
         if (per_instance) glVertexAttribDivisor(attribute, 1);

@@ -96,7 +96,8 @@ void place_cards(FindLayout& out, const Placer& at, const Numbers& n) {
     const double columns = n.best.width - n.small_width;  // the right column ends with the best card
     const Rect rail = at.block(n.best.x, n.small_y, n.best.width, 4 * n.small_pitch);
     for (std::size_t i = 0; i < kCardCount - 1; ++i) {
-        const double row = static_cast<double>(i / 2);
+        const std::size_t row_index = i / 2;
+        const auto row = static_cast<double>(row_index);
         const Rect card = at.inside(rail, i % 2 == 0 ? 0 : columns, row * n.small_pitch, n.small_width, n.small_height);
         out.cards[i + 1] = card;
         out.card_pictures[i + 1] =

@@ -78,8 +78,9 @@ void Sketch::clear() {
     end_erasing();
     if (empty()) return;
     Step step;
-    for (std::size_t i = 0; i < drawing_.strokes.size(); ++i) step.strokes.emplace_back(0, drawing_.strokes[i]);
-    std::reverse(step.strokes.begin(), step.strokes.end());
+    step.strokes.reserve(drawing_.strokes.size());
+    std::for_each(drawing_.strokes.rbegin(), drawing_.strokes.rend(),
+                  [&](const auto& stroke) { step.strokes.emplace_back(0, stroke); });
     drawing_.strokes.clear();
     ++epoch_;
     ++revision_;
@@ -100,9 +101,9 @@ void Sketch::add_back(const Step& step) {
 }
 
 void Sketch::take_out(const Step& step) {
-    for (auto it = step.strokes.rbegin(); it != step.strokes.rend(); ++it) {
-        drawing_.strokes.erase(drawing_.strokes.begin() + static_cast<std::ptrdiff_t>(it->first));
-    }
+    std::for_each(step.strokes.rbegin(), step.strokes.rend(), [&](const auto& placed) {
+        drawing_.strokes.erase(drawing_.strokes.begin() + static_cast<std::ptrdiff_t>(placed.first));
+    });
 }
 
 void Sketch::undo() {
