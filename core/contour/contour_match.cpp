@@ -12,7 +12,7 @@ namespace core {
 
 namespace {
 
-constexpr int kLeftOut = 118;  // a fifth of kGreatestHeight in every channel
+constexpr int kLeftOut = 85;  // about a seventh of kGreatestHeight in every channel
 constexpr std::size_t kStray = 7;
 constexpr double kPlainness = 0.5;  // keeps the complexity of two discs from dividing by next to nothing
 constexpr double kAlignmentWeight = 5.34;

@@ -17,8 +17,8 @@
 //     kAlignmentWeight * alignment / (kPlainness + complexity of A + complexity of B) + kCoverWeight * cover difference
 //
 // It is >= 0 and at most 6.4; 0 for equal descriptors and for mirrored ones; d(A, B) = d(B, A) = d(mirrored A, B) to
-// the last bit. Both sums are whole numbers, so every machine gives the same. No metric. The scale: 1 is the median
-// over pairs of shapes of different classes of Kimia-216; same classes have a median of 0.3.
+// the last bit. Both sums are whole numbers, so every machine gives the same. No metric. The scale: 0.9 is the
+// median over pairs of shapes of different classes of Kimia-216; same classes have a median of 0.3.
 //
 // After Wang et al. 2012 (see contour_descriptor.hpp): their cost of leaving out and shape complexity. We try all turns
 // where they try some, compare ranges (Birchfield and Tomasi, "A pixel dissimilarity measure that is insensitive to

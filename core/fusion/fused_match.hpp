@@ -33,10 +33,10 @@ struct ComparableShape {
                                          const ShapeParameters& parameters = {});
 [[nodiscard]] ComparableShape comparable(const OutlineReadings& readings, const ShapeParameters& parameters = {});
 
-/// What distances of the parts are divided by, so that 1 is the median between classes, as it is for the contour.
+/// What distances of the parts are divided by, so that 1 is the median between classes, and nearly so for the contour.
 inline constexpr double kPartsScale = 80.0;
-/// Weight of the parts beside the contour's 1. Kimia-99 / Kimia-216, per cent: the contour alone 97.8 / 96.4; with 0.2,
-/// 0.35, 0.5, 0.7, 1 of the parts 98.0 / 96.5, 97.9 / 96.6, 97.8 / 96.6, 97.4 / 96.6, 96.9 / 96.6; the parts alone
+/// Weight of the parts beside the contour's 1. Kimia-99 / Kimia-216, per cent: the contour alone 97.8 / 96.8; with 0.2,
+/// 0.35, 0.5, 0.7, 1 of the parts 98.0 / 97.1, 98.1 / 97.0, 97.6 / 97.0, 97.4 / 97.0, 97.1 / 96.9; the parts alone
 /// 95.2 / 95.0.
 inline constexpr double kPartsWeight = 0.35;
 

@@ -68,7 +68,7 @@ class PlainMatch {
 
   private:
     static constexpr int kN = static_cast<int>(core::kFramePoints);
-    static constexpr int kLeftOut = 118, kStray = 7;
+    static constexpr int kLeftOut = 85, kStray = 7;
 
     static int gap(const MatchableContour& a, int i, const MatchableContour& b, int j) {
         int sum = 0;
