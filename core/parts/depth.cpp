@@ -11,7 +11,7 @@ class Merging {
   public:
     Merging(const Skeleton& skeleton, const ShapeParameters& p) : skeleton_(skeleton), parameters_(p) {
         for (const CatNode& node : skeleton.graph.nodes) {
-            terminal_.push_back(node.kind == PieceKind::Terminal ? 1 : 0);
+            terminal_.push_back(node.kind == PieceKind::Terminal || node.kind == PieceKind::Whole ? 1 : 0);
             interior_left_ += terminal_.back() != 0 ? 0 : 1;
             junctions_left_ += node.kind == PieceKind::Junction ? 1 : 0;
         }

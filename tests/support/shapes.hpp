@@ -68,6 +68,92 @@ inline Polygon horse() {
             {16.4, 16},  {15, 16.2}, {12, 10.6}, {2, 10.6},  {-1.4, 8},  {-2.6, 3},  {-1.7, 3},    {-0.2, 7.4}};
 }
 
+/// A horned animal: horse's trunk, legs and tail, a short neck, and two horns on the head. Looks to the right.
+inline Polygon horned() {
+    return {{0, 0},      {1, 0},     {1.5, 6},     {2.4, 0.2},   {3.3, 0.2},   {3.6, 6.2}, {10.4, 6.2},  {10.6, 0.1},
+            {11.5, 0.1}, {12, 6},    {12.6, 0},    {13.5, 0},    {14, 8},      {15, 9.8},  {18.4, 8.8},  {18.8, 10.2},
+            {16.6, 12},  {18.4, 16}, {17.6, 16.2}, {15.6, 12.6}, {14.6, 12.8}, {15, 16.8}, {14.1, 16.8}, {13, 12.4},
+            {11.4, 11},  {2, 10.8},  {-1.4, 8},    {-2.6, 3},    {-1.7, 3},    {-0.2, 7.4}};
+}
+
+/// A horse with a rider's trunk, head and two arms where its neck is. Looks to the right.
+inline Polygon centaur() {
+    return {{0, 0},       {1, 0},       {1.5, 6},     {2.4, 0.2},   {3.3, 0.2},   {3.6, 6.5},   {10.4, 6.5},
+            {10.6, 0.1},  {11.5, 0.1},  {12, 6},      {12.6, 0},    {13.5, 0},    {14.2, 9},    {14.4, 13.4},
+            {18.2, 12},   {18.8, 13},   {14.6, 15.6}, {13.8, 15.8}, {13.7, 16.4}, {14.6, 17.2}, {14.7, 18.6},
+            {13.8, 19.6}, {12.4, 19.6}, {11.6, 18.6}, {11.7, 17.2}, {12.4, 16.4}, {12.2, 15.8}, {10.8, 15.2},
+            {8.4, 12.2},  {9.2, 11.5},  {11.6, 13.4}, {11.4, 10.6}, {2, 10.6},    {-1.4, 8},    {-2.6, 3},
+            {-1.7, 3},    {-0.2, 7.4}};
+}
+
+/// From above: nose to the right, two swept wings and a tail of two fins.
+inline Polygon airplane() {
+    return {{10, 0},      {8.6, 0.8}, {3, 1},    {-1.5, 8},  {-3, 8},    {-1.4, 1},
+            {-6.2, 0.8},  {-8, 3.4},  {-9, 3.4}, {-8.2, 0},  {-9, -3.4}, {-8, -3.4},
+            {-6.2, -0.8}, {-1.4, -1}, {-3, -8},  {-1.5, -8}, {3, -1},    {8.6, -0.8}};
+}
+
+/// A round body with six legs, and a head with two feelers to the right.
+inline Polygon bug() {
+    const auto leg = [](double from_deg, double to_deg, double reach) {
+        const double a = from_deg * std::numbers::pi / 180, b = to_deg * std::numbers::pi / 180;
+        const double c = (a + b) / 2;
+        const double half = 0.35 / reach;
+        return Polygon{{4.6 * std::cos(a), 3.4 * std::sin(a)},
+                       {reach * std::cos(c - half), reach * std::sin(c - half)},
+                       {reach * std::cos(c + half), reach * std::sin(c + half)},
+                       {4.6 * std::cos(b), 3.4 * std::sin(b)}};
+    };
+    Polygon ring{{4.9, -1.2}, {6.4, -1.4}, {7.2, -0.9}, {10.4, -2.6}, {10.7, -2}, {7.6, 0},
+                 {10.7, 2},   {10.4, 2.6}, {7.2, 0.9},  {6.4, 1.4},   {4.9, 1.2}};
+    for (const double at : {50.0, 90.0, 130.0}) {
+        const Polygon part = leg(at - 6, at + 6, 8);
+        ring.insert(ring.end(), part.begin(), part.end());
+    }
+    for (const double at : {155.0, 180.0, 205.0}) {
+        const double a = at * std::numbers::pi / 180;
+        ring.push_back({4.8 * std::cos(a), 3.6 * std::sin(a)});
+    }
+    for (const double at : {230.0, 270.0, 310.0}) {
+        const Polygon part = leg(at - 6, at + 6, 8);
+        ring.insert(ring.end(), part.begin(), part.end());
+    }
+    return ring;
+}
+
+/// A band of this width wound so many times about the origin, with half its width of space between the turns.
+inline Polygon spiral(double turns, double width) {
+    const int n = static_cast<int>(24 * turns);
+    const auto at = [&](int k, double more) {
+        const double angle = 2 * std::numbers::pi * k / 24;
+        const double radius = width + 1.5 * width * angle / (2 * std::numbers::pi) + more;
+        return Point{radius * std::cos(angle), radius * std::sin(angle)};
+    };
+    Polygon ring;
+    for (int k = 0; k <= n; ++k) ring.push_back(at(k, width / 2));
+    for (int k = n; k >= 0; --k) ring.push_back(at(k, -width / 2));
+    return ring;
+}
+
+/// An island: a triangle each of whose sides is broken `times` times, its middle moved across by a share that an
+/// arithmetic sequence takes from about a quarter inwards to a quarter outwards. 3 * 2^times points.
+inline Polygon coastline(int times) {
+    Polygon ring{{0, 0}, {100, 0}, {50, 87}};
+    unsigned state = 12345;
+    for (int k = 0; k < times; ++k) {
+        Polygon finer;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+            state = state * 1103515245U + 12345U;
+            const double share = 0.22 * (static_cast<double>(state >> 16 & 0x7fffU) / 16384.0 - 1.0);
+            finer.push_back(a);
+            finer.push_back(Point{(a.x + b.x) / 2, (a.y + b.y) / 2} + Point{a.y - b.y, b.x - a.x} * share);
+        }
+        ring = finer;
+    }
+    return ring;
+}
+
 inline Polygon scaled(Polygon ring, double factor) {
     for (Point& p : ring) p = p * factor;
     return ring;
