@@ -80,7 +80,6 @@ class DesignRunner {
     Obstacle obstacle_;
     Network network_;
     int layer_ = 0;
-    int step_ = 0;
 };
 
 /// The whole garment. Steps that fail are named and passed over. ErrorCode::BadMesh when the body is not closed.
