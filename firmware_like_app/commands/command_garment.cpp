@@ -17,6 +17,7 @@
 #include "core/exchange/region_reader.hpp"
 #include "core/garment/region.hpp"
 #include "core/garment/subdivision.hpp"
+#include "core/garment/texture.hpp"
 #include "core/garment/wardrobe.hpp"
 #include "core/mannequin/mannequin.hpp"
 #include "core/mannequin/own_body.hpp"
@@ -134,23 +135,25 @@ core::Result<void> write_garment(const core::Garment& garment, const std::string
         for (std::size_t i = 0; i < garment.layers.size(); ++i)
             for (const core::ClothPiece& piece : garment.layers[i].fitted.pieces)
                 meshes.push_back({piece.name, &garment.layers[i].fitted.mesh, piece.first, piece.count,
-                                  kCloth[i % kCloth.size()], true});
+                                  kCloth[i % kCloth.size()], true, &garment.layers[i].fitted.texture});
         return core::write_glb_file(path, meshes);
     }
     core::QuadMesh all;
     std::vector<core::QuadGroup> groups;
+    std::vector<core::QuadTexture> texture;
     for (const core::FinishedLayer& layer : garment.layers) {
         const auto shift = static_cast<std::uint32_t>(all.vertices.size());
         for (const core::ClothPiece& piece : layer.fitted.pieces)
             groups.push_back({piece.name, all.quads.size() + piece.first, piece.count});
         all.vertices.insert(all.vertices.end(), layer.fitted.mesh.vertices.begin(), layer.fitted.mesh.vertices.end());
+        texture.insert(texture.end(), layer.fitted.texture.begin(), layer.fitted.texture.end());
         for (const core::Quad& q : layer.fitted.mesh.quads)
             all.quads.push_back({q[0] + shift, q[1] + shift, q[2] + shift, q[3] + shift});
     }
-    return core::write_obj_file(path, all, groups);
+    return core::write_obj_file(path, all, groups, texture);
 }
 
-ordered_json to_json(const core::FinishedLayer& layer) {
+ordered_json to_json(const core::FinishedLayer& layer, const core::TextureReport& texture) {
     ordered_json pieces = ordered_json::array();
     for (const core::ClothPiece& piece : layer.fitted.pieces)
         pieces.push_back({{"name", piece.name},
@@ -163,13 +166,16 @@ ordered_json to_json(const core::FinishedLayer& layer) {
             {"quads", layer.fitted.mesh.quads.size()},
             {"penetration_cm", {{"drawn", layer.report.deepest_before_cm}, {"fitted", layer.report.deepest_after_cm}}},
             {"closest_cm", layer.report.closest_cm},
-            {"strain", {{"mean", layer.report.mean_stretch}, {"largest", layer.report.largest_stretch}}}};
+            {"strain", {{"mean", layer.report.mean_stretch}, {"largest", layer.report.largest_stretch}}},
+            {"texture_strain", {{"mean", texture.mean_strain}, {"largest", texture.largest_strain}}}};
 }
 
-void print_garment(const core::Garment& garment, double ms, bool as_json) {
+void print_garment(const core::Garment& garment, const std::vector<core::TextureReport>& texture, double ms,
+                   bool as_json) {
     if (as_json) {
         ordered_json layers = ordered_json::array(), faults = ordered_json::array();
-        for (const core::FinishedLayer& layer : garment.layers) layers.push_back(to_json(layer));
+        for (std::size_t i = 0; i < garment.layers.size(); ++i)
+            layers.push_back(to_json(garment.layers[i], texture[i]));
         for (const core::DesignFault& fault : garment.faults)
             faults.push_back({{"step", fault.step}, {"why", fault.sentence}});
         std::printf("%s\n", ordered_json{{"layers", layers}, {"faults", faults}, {"ms", ms}}.dump().c_str());
@@ -193,12 +199,14 @@ void run_build(const BuildOptions& options, CommandState& state) {
     const Stopwatch watch;
     core::Result<core::Garment> garment = core::make_garment(*design, *body);
     if (!garment) return fail(state, garment.error());
+    std::vector<core::TextureReport> texture;
+    for (core::FinishedLayer& layer : garment->layers) texture.push_back(core::lay_texture(layer.fitted));
     if (options.smooth > 0)
         if (const auto done = smooth_layers(*garment, *design, *body, options.smooth); !done)
             return fail(state, done.error());
     const double ms = watch.ms();
     if (const auto written = write_garment(*garment, options.out); !written) return fail(state, written.error());
-    print_garment(*garment, ms, options.json);
+    print_garment(*garment, texture, ms, options.json);
     for (const core::DesignFault& fault : garment->faults)
         fail(state, {core::ErrorCode::BadFormat,
                      fault.step > 0 ? "step " + std::to_string(fault.step) + ": " + fault.sentence : fault.sentence,
