@@ -44,7 +44,7 @@ BuiltCloth build_cloth(const Network& network, int layer) {
             cloth.line.push_back(border ? keys[v].line : -1);
         }
         cloth.pieces.push_back({region.name, layer, cloth.mesh.quads.size(), filled->mesh.quads.size(),
-                                filled->topology.counts, filled->alpha});
+                                filled->topology.counts, filled->alpha, -1, region.parts});
         for (const Quad& q : filled->mesh.quads)
             cloth.mesh.quads.push_back({number[q[0]], number[q[1]], number[q[2]], number[q[3]]});
     }
@@ -78,6 +78,7 @@ Cloth mirrored_and_joined(const Cloth& half) {
         ClothPiece other = piece;
         other.name += "_mirrored";
         other.mirror_of = static_cast<int>(p);
+        other.parts = mirrored_parts(piece.parts);
         other.first = whole.mesh.quads.size();
         for (std::size_t q = piece.first; q < piece.first + piece.count; ++q) {
             const Quad& quad = half.mesh.quads[q];

@@ -19,6 +19,7 @@ struct ClothPiece {
     QuadDiscCounts counts;
     double alpha = 0.0;  ///< in use
     int mirror_of = -1;  ///< the piece that this one is the image of
+    PartSet parts = 0;   ///< of the body that it lies over; 0: not known
 };
 
 struct Cloth {

@@ -94,23 +94,23 @@ struct BuildOptions {
 };
 
 /// What the design is worn on: its mannequin, or a mesh of the user's.
-core::Result<core::TriangleMesh> body_for(const core::Design& design, const std::string& path) {
+core::Result<core::DressForm> form_for(const core::Design& design, const std::string& path) {
     if (path.empty()) {
         const core::Result<core::Mannequin> body = core::make_mannequin(design.body);
         if (!body) return core::unexpected(body.error());
-        return core::triangles_of(body->mesh);
+        return core::dress_form(*body);
     }
     const core::Result<core::TriangleMesh> mesh = core::read_mesh(path);
     if (!mesh) return core::unexpected(mesh.error());
     core::Result<core::TriangleMesh> stood = core::stand_body(*mesh);
     if (!stood) return core::unexpected(stood.error().code, stood.error().message, path);
-    return stood;
+    return core::dress_form(std::move(*stood));
 }
 
 /// Finer layers, off the body and off each other again.
-core::Result<void> smooth_layers(core::Garment& garment, const core::Design& design, const core::TriangleMesh& body,
+core::Result<void> smooth_layers(core::Garment& garment, const core::Design& design, const core::DressForm& form,
                                  int levels) {
-    core::Result<core::Obstacle> obstacle = core::Obstacle::of_body(body);
+    core::Result<core::Obstacle> obstacle = core::Obstacle::of_body(form);
     if (!obstacle) return core::unexpected(obstacle.error());
     core::FittingOptions options = design.fitting;
     options.rounds = 2;
@@ -166,6 +166,7 @@ ordered_json to_json(const core::FinishedLayer& layer, const core::TextureReport
             {"quads", layer.fitted.mesh.quads.size()},
             {"penetration_cm", {{"drawn", layer.report.deepest_before_cm}, {"fitted", layer.report.deepest_after_cm}}},
             {"closest_cm", layer.report.closest_cm},
+            {"self_crossings", {{"before", layer.report.self_crossings_before}, {"left", layer.report.self_crossings}}},
             {"strain", {{"mean", layer.report.mean_stretch}, {"largest", layer.report.largest_stretch}}},
             {"texture_strain", {{"mean", texture.mean_strain}, {"largest", texture.largest_strain}}}};
 }
@@ -194,19 +195,23 @@ void run_build(const BuildOptions& options, CommandState& state) {
         return fail(state, {core::ErrorCode::BadArgument, "The garment can be written as .obj or .glb.", options.out});
     const core::Result<core::Design> design = core::read_design(options.design);
     if (!design) return fail(state, design.error());
-    const core::Result<core::TriangleMesh> body = body_for(*design, options.body);
-    if (!body) return fail(state, body.error());
+    const core::Result<core::DressForm> form = form_for(*design, options.body);
+    if (!form) return fail(state, form.error());
     const Stopwatch watch;
-    core::Result<core::Garment> garment = core::make_garment(*design, *body);
+    core::Result<core::Garment> garment = core::make_garment(*design, *form);
     if (!garment) return fail(state, garment.error());
     std::vector<core::TextureReport> texture;
     for (core::FinishedLayer& layer : garment->layers) texture.push_back(core::lay_texture(layer.fitted));
     if (options.smooth > 0)
-        if (const auto done = smooth_layers(*garment, *design, *body, options.smooth); !done)
+        if (const auto done = smooth_layers(*garment, *design, *form, options.smooth); !done)
             return fail(state, done.error());
     const double ms = watch.ms();
     if (const auto written = write_garment(*garment, options.out); !written) return fail(state, written.error());
     print_garment(*garment, texture, ms, options.json);
+    for (std::size_t i = 0; i < garment->layers.size(); ++i)
+        if (const std::string warning = core::fitting_warning(garment->layers[i].report); !warning.empty())
+            std::fprintf(stderr, "croquis: %s: warning: layer %zu: %s\n", options.design.c_str(), i + 1,
+                         warning.c_str());
     for (const core::DesignFault& fault : garment->faults)
         fail(state, {core::ErrorCode::BadFormat,
                      fault.step > 0 ? "step " + std::to_string(fault.step) + ": " + fault.sentence : fault.sentence,
@@ -227,7 +232,8 @@ void run_wardrobe(const WardrobeOptions& options, CommandState& state) {
     for (const std::string& name : core::wardrobe_names()) {
         const std::filesystem::path path = std::filesystem::path(options.out) / (name + ".json");
         std::ofstream file(path, std::ios::binary | std::ios::trunc);
-        if (!(file << core::design_text(*core::wardrobe_design(name, *body))).flush())
+        const core::Design design = core::recorded(*core::wardrobe_design(name, *body), core::dress_form(*body));
+        if (!(file << core::design_text(design)).flush())
             return fail(state, {core::ErrorCode::WriteFailed, "The design cannot be written; check the folder.",
                                 path.string()});
         std::printf("%s\n", path.c_str());
