@@ -19,7 +19,7 @@ using ToolKind = DrawingTool::Kind;
 constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
 constexpr const char* kFormat = "croquis-garment";
 
-constexpr std::array<std::pair<Kind, const char*>, 10> kSteps{{{Kind::Line, "line"},
+constexpr std::array<std::pair<Kind, const char*>, 11> kSteps{{{Kind::Line, "line"},
                                                                {Kind::Region, "region"},
                                                                {Kind::Cut, "cut"},
                                                                {Kind::Hole, "hole"},
@@ -28,7 +28,8 @@ constexpr std::array<std::pair<Kind, const char*>, 10> kSteps{{{Kind::Line, "lin
                                                                {Kind::Alpha, "alpha"},
                                                                {Kind::Move, "move"},
                                                                {Kind::Weld, "weld"},
-                                                               {Kind::Layer, "layer"}}};
+                                                               {Kind::Layer, "layer"},
+                                                               {Kind::Associate, "associate"}}};
 constexpr std::array<std::pair<ToolKind, const char*>, 5> kTools{{{ToolKind::Body, "body"},
                                                                   {ToolKind::PlaneXY, "plane_xy"},
                                                                   {ToolKind::PlaneXZ, "plane_xz"},
@@ -132,12 +133,27 @@ Json stroke_to(const SketchStroke& stroke) {
 bool has_stroke(Kind kind) {
     return kind == Kind::Line || kind == Kind::Cut || kind == Kind::Hole;
 }
+bool has_ends(Kind kind) {
+    return kind == Kind::Line || kind == Kind::Cut;
+}
 bool has_name(Kind kind) {
     return has_stroke(kind) || kind == Kind::Region;
 }
 bool names_region(Kind kind) {
     return kind == Kind::Cut || kind == Kind::Hole || kind == Kind::Remove || kind == Kind::Corner ||
-           kind == Kind::Alpha;
+           kind == Kind::Alpha || kind == Kind::Associate;
+}
+
+PartSet parts_from(const Json& list) {
+    if (!list.is_array()) throw Fault("\"parts\" is no list");
+    PartSet parts = 0;
+    for (const Json& name : list) {
+        if (!name.is_string()) throw Fault("a part's name is no text");
+        const Result<BodyPart> part = part_named(name.get<std::string>());
+        if (!part) throw Fault(part.error().message);
+        parts |= part_bit(*part);
+    }
+    return parts;
 }
 
 DesignStep step_from(const Json& json) {
@@ -158,6 +174,13 @@ DesignStep step_from(const Json& json) {
     if (step.kind == Kind::Corner || step.kind == Kind::Move || step.kind == Kind::Weld) step.at = place_at(json, "at");
     if (step.kind == Kind::Move || step.kind == Kind::Weld) step.to = place_at(json, "to");
     if (step.kind == Kind::Move) step.radius = number(json, "radius", 0.0);
+    if (step.kind == Kind::Region && json.contains("parts")) step.parts = parts_from(json["parts"]);
+    if (step.kind == Kind::Associate) {
+        if (!json.contains("parts")) throw Fault("\"parts\" is missing");
+        step.parts = parts_from(json["parts"]);
+    }
+    if (has_ends(step.kind) && json.contains("starts_at")) step.starts_at = text(json, "starts_at");
+    if (has_ends(step.kind) && json.contains("ends_at")) step.ends_at = text(json, "ends_at");
     if (step.kind == Kind::Corner) step.on = flag(json, "on", true);
     return step;
 }
@@ -168,6 +191,10 @@ Json step_to(const DesignStep& step) {
     if (names_region(step.kind)) json["region"] = step.region;
     if (step.kind == Kind::Region) json["lines"] = step.lines;
     if (step.kind == Kind::Region || step.kind == Kind::Alpha) json["alpha"] = step.alpha;
+    if (step.kind == Kind::Associate || (step.kind == Kind::Region && step.parts != 0))
+        json["parts"] = names_of_parts(step.parts);
+    if (has_ends(step.kind) && !step.starts_at.empty()) json["starts_at"] = step.starts_at;
+    if (has_ends(step.kind) && !step.ends_at.empty()) json["ends_at"] = step.ends_at;
     if (step.kind == Kind::Corner || step.kind == Kind::Move || step.kind == Kind::Weld)
         json["at"] = {step.at.x, step.at.y, step.at.z};
     if (step.kind == Kind::Move || step.kind == Kind::Weld) json["to"] = {step.to.x, step.to.y, step.to.z};

@@ -9,7 +9,8 @@
 
 namespace core {
 
-inline constexpr int kDesignVersion = 1;
+/// 2 added landmarks at the ends of lines and the parts of the body that regions lie over.
+inline constexpr int kDesignVersion = 2;
 
 /// Reads a design of this version or an older one. ErrorCode::BadFormat with the step at fault (from 1) for text that
 /// is no JSON or ends early, a missing or wrong field, an unknown step, view, tool or size; ErrorCode::NewerVersion for

@@ -7,8 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace core {
@@ -32,27 +35,53 @@ double linear(std::uint8_t channel) {
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
+/// The vertices of a part in order of first use; corners at one vertex with unlike texture are vertices of their own.
+struct Corners {
+    std::vector<std::uint32_t> number;  ///< of each corner of each quad of the part
+    std::vector<std::uint32_t> vertex;  ///< of the mesh
+    std::vector<Point> texture;
+};
+
+Corners corners_of(const GlbMesh& part) {
+    Corners out;
+    std::map<std::tuple<std::uint32_t, double, double>, std::uint32_t> known;
+    for (std::size_t i = part.first; i < part.first + part.count; ++i)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::uint32_t v = part.mesh->quads[i][k];
+            const Point at = part.texture != nullptr ? (*part.texture)[i][k] : Point{};
+            const auto [found, fresh] =
+                known.emplace(std::tuple(v, at.x, at.y), static_cast<std::uint32_t>(out.vertex.size()));
+            if (fresh) {
+                out.vertex.push_back(v);
+                out.texture.push_back(at);
+            }
+            out.number.push_back(found->second);
+        }
+    return out;
+}
+
+/// Of each vertex of the corners: the sum over the quads of the part that have it.
+std::vector<Vec3> normals_of(const GlbMesh& part, const Corners& corners) {
+    std::vector<Vec3> sum(part.mesh->vertices.size()), out;
+    for (std::size_t i = part.first; i < part.first + part.count; ++i) {
+        const Quad& q = part.mesh->quads[i];
+        const auto& v = part.mesh->vertices;
+        const Vec3 n = cross(v[q[2]] - v[q[0]], v[q[3]] - v[q[1]]);
+        for (const std::uint32_t corner : q) sum[corner] = sum[corner] + n;
+    }
+    for (const std::uint32_t v : corners.vertex) out.push_back(sum[v]);
+    return out;
+}
+
 /// Grows the binary part and the lists that describe it.
 class Document {
   public:
     void add(const GlbMesh& part) {
-        std::vector<std::uint32_t> number(part.mesh->vertices.size(), kNone), used;
-        std::vector<Vec3> normals;
+        const Corners corners = corners_of(part);
+        const std::vector<Vec3> normals = normals_of(part, corners);
         std::string indices;
-        for (std::size_t i = part.first; i < part.first + part.count; ++i) {
-            const Quad& q = part.mesh->quads[i];
-            const auto& v = part.mesh->vertices;
-            const Vec3 n = cross(v[q[2]] - v[q[0]], v[q[3]] - v[q[1]]);
-            for (const std::uint32_t corner : q) {
-                if (number[corner] == kNone) {
-                    number[corner] = static_cast<std::uint32_t>(used.size());
-                    used.push_back(corner);
-                    normals.emplace_back();
-                }
-                normals[number[corner]] = normals[number[corner]] + n;
-            }
-            for (const std::size_t k : {0, 1, 2, 0, 2, 3}) put_u32(indices, number[q[k]]);
-        }
+        for (std::size_t i = 0; i < part.count; ++i)
+            for (const std::size_t k : {0, 1, 2, 0, 2, 3}) put_u32(indices, corners.number[4 * i + k]);
         const std::size_t material = json_["materials"].size();
         json_["materials"].push_back(
             {{"name", part.name},
@@ -61,8 +90,10 @@ class Document {
                {"metallicFactor", 0.0},
                {"roughnessFactor", 0.9}}},
              {"doubleSided", part.two_sided}});
+        Json attributes{{"POSITION", add_places(part, corners.vertex)}, {"NORMAL", add_normals(normals)}};
+        if (part.texture != nullptr) attributes["TEXCOORD_0"] = add_texture(corners.texture);
         const Json primitive{
-            {"attributes", {{"POSITION", add_places(part, used)}, {"NORMAL", add_normals(normals)}}},
+            {"attributes", std::move(attributes)},
             {"indices", add_accessor(indices, kUnsignedInt, "SCALAR", indices.size() / 4, kElementBuffer)},
             {"material", material}};
         json_["meshes"].push_back({{"name", part.name}, {"primitives", Json::array({primitive})}});
@@ -86,8 +117,6 @@ class Document {
     }
 
   private:
-    static constexpr std::uint32_t kNone = ~0U;
-
     std::size_t add_accessor(const std::string& data, int component, const char* type, std::size_t count, int target) {
         const std::size_t view = json_["bufferViews"].size();
         json_["bufferViews"].push_back(
@@ -114,6 +143,15 @@ class Document {
         json_["accessors"][accessor]["min"] = low;
         json_["accessors"][accessor]["max"] = high;
         return accessor;
+    }
+
+    std::size_t add_texture(const std::vector<Point>& texture) {
+        std::string data;
+        for (const Point at : texture) {
+            put_float(data, at.x * 0.01);
+            put_float(data, -at.y * 0.01);
+        }
+        return add_accessor(data, kFloat, "VEC2", texture.size(), kArrayBuffer);
     }
 
     std::size_t add_normals(const std::vector<Vec3>& normals) {
@@ -143,6 +181,9 @@ Result<void> write_glb(std::ostream& out, std::span<const GlbMesh> meshes) {
     for (const GlbMesh& part : meshes) {
         if (part.first + part.count > part.mesh->quads.size())
             return unexpected(ErrorCode::BadMesh, "The mesh \"" + part.name + "\" has fewer quads than it should.");
+        if (part.texture != nullptr && part.texture->size() != part.mesh->quads.size())
+            return unexpected(ErrorCode::BadMesh,
+                              "Some quads of the mesh \"" + part.name + "\" have no texture coordinates.");
         for (std::size_t i = part.first; i < part.first + part.count; ++i)
             if (*std::max_element(part.mesh->quads[i].begin(), part.mesh->quads[i].end()) >= part.mesh->vertices.size())
                 return unexpected(ErrorCode::BadMesh, "A quad of the mesh names a vertex that does not exist.");

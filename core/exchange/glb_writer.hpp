@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/base/result.hpp"
 #include "core/mesh/quad_mesh.hpp"
@@ -18,10 +19,12 @@ struct GlbMesh {
     const QuadMesh* mesh = nullptr;
     std::size_t first = 0, count = 0;  ///< quads of the mesh that belong to it
     Rgb colour{};
-    bool two_sided = true;  ///< cloth is
+    bool two_sided = true;                              ///< cloth is
+    const std::vector<QuadTexture>* texture = nullptr;  ///< of every quad of the mesh, in centimetres
 };
 
-/// A node, a mesh and a material each, with smooth normals; quads become triangles. The same meshes give the same
+/// A node, a mesh and a material each, with smooth normals; quads become triangles. Texture coordinates are in metres
+/// and run down, as glTF's pictures do: a picture that repeats covers one metre of cloth. The same meshes give the same
 /// bytes. ErrorCode::BadMesh for a quad that names a vertex that does not exist or is not in the mesh;
 /// ErrorCode::WriteFailed if the stream gives up.
 [[nodiscard]] Result<void> write_glb(std::ostream& out, std::span<const GlbMesh> meshes);

@@ -6,8 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <initializer_list>
+#include <map>
 #include <ostream>
-#include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace core {
@@ -20,11 +22,38 @@ void put(std::string& text, Number value) {
     text.append(digits.data(), end.ptr);
 }
 
-void put_quad(std::string& text, const Quad& quad) {
-    text += 'f';
-    for (const std::uint32_t v : quad) {
+/// A line of numbers, without minus signs before 0.
+void put_line(std::string& text, const char* head, std::initializer_list<double> numbers) {
+    text += head;
+    for (const double number : numbers) {
         text += ' ';
-        put(text, std::uint64_t{v} + 1);
+        put(text, number + 0.0);
+    }
+    text += '\n';
+}
+
+/// Numbers the places of a texture, each once for a vertex.
+class TexturePlaces {
+  public:
+    std::uint64_t number(std::uint32_t vertex, Point at, std::string& text) {
+        const auto [found, fresh] = known_.emplace(std::tuple(vertex, at.x, at.y), known_.size() + 1);
+        if (fresh) put_line(text, "vt", {at.x, at.y});
+        return found->second;
+    }
+
+  private:
+    std::map<std::tuple<std::uint32_t, double, double>, std::uint64_t> known_;
+};
+
+/// `numbers`: of the corners' texture places, or 0 for none.
+void put_quad(std::string& text, const Quad& quad, const std::array<std::uint64_t, 4>& numbers) {
+    text += 'f';
+    for (std::size_t k = 0; k < 4; ++k) {
+        text += ' ';
+        put(text, std::uint64_t{quad[k]} + 1);
+        if (numbers[k] == 0) continue;
+        text += '/';
+        put(text, numbers[k]);
     }
     text += '\n';
 }
@@ -37,36 +66,39 @@ std::string group_line(const std::string& name) {
 
 }  // namespace
 
-Result<void> write_obj(std::ostream& out, const QuadMesh& mesh, std::span<const QuadGroup> groups) {
+Result<void> write_obj(std::ostream& out, const QuadMesh& mesh, std::span<const QuadGroup> groups,
+                       std::span<const QuadTexture> texture) {
     for (const Quad& quad : mesh.quads)
         if (*std::max_element(quad.begin(), quad.end()) >= mesh.vertices.size())
             return unexpected(ErrorCode::BadMesh, "A quad of the mesh names a vertex that does not exist.");
-    std::string text = "# made by Croquis\n";
-    for (const Vec3& v : mesh.vertices) {
-        text += 'v';
-        for (const double coordinate : {v.x, v.y, v.z}) {
-            text += ' ';
-            put(text, coordinate + 0.0);  // no minus sign before 0
-        }
-        text += '\n';
-    }
+    if (!texture.empty() && texture.size() != mesh.quads.size())
+        return unexpected(ErrorCode::BadMesh, "Some quads of the mesh have texture coordinates, others none.");
+    std::string text = "# made by Croquis\n", faces;
+    for (const Vec3& v : mesh.vertices) put_line(text, "v", {v.x, v.y, v.z});
     const std::vector<QuadGroup> all{{"", 0, mesh.quads.size()}};
+    TexturePlaces places;
     for (const QuadGroup& group : groups.empty() ? std::span<const QuadGroup>(all) : groups) {
-        if (!group.name.empty()) text += group_line(group.name);
-        for (std::size_t i = 0; i < group.count; ++i) put_quad(text, mesh.quads[group.first + i]);
+        if (!group.name.empty()) faces += group_line(group.name);
+        for (std::size_t i = group.first; i < group.first + group.count; ++i) {
+            std::array<std::uint64_t, 4> numbers{};
+            for (std::size_t k = 0; k < 4 && !texture.empty(); ++k)
+                numbers[k] = places.number(mesh.quads[i][k], texture[i][k], text);
+            put_quad(faces, mesh.quads[i], numbers);
+        }
     }
+    text += faces;
     if (!out.write(text.data(), static_cast<std::streamsize>(text.size())).flush())
         return unexpected(ErrorCode::WriteFailed, "The mesh could not be written; check the free space.");
     return {};
 }
 
-Result<void> write_obj_file(const std::filesystem::path& path, const QuadMesh& mesh,
-                            std::span<const QuadGroup> groups) {
+Result<void> write_obj_file(const std::filesystem::path& path, const QuadMesh& mesh, std::span<const QuadGroup> groups,
+                            std::span<const QuadTexture> texture) {
     std::ofstream out(path, std::ios::binary | std::ios::trunc);
     if (!out)
         return unexpected(ErrorCode::WriteFailed, "The file cannot be opened for writing; check the folder's rights.",
                           path.string());
-    Result<void> written = write_obj(out, mesh, groups);
+    Result<void> written = write_obj(out, mesh, groups, texture);
     if (!written) return unexpected(written.error().code, written.error().message, path.string());
     return {};
 }

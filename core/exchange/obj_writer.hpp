@@ -18,12 +18,15 @@ struct QuadGroup {
 };
 
 /// Writes vertices with as many digits as give the same number back, then the quads of each group. Without groups all
-/// quads are written. Spaces in a name become underscores. The same mesh gives the same bytes. ErrorCode::BadMesh when
-/// a quad names a vertex that does not exist; ErrorCode::WriteFailed if the stream gives up.
-[[nodiscard]] Result<void> write_obj(std::ostream& out, const QuadMesh& mesh, std::span<const QuadGroup> groups = {});
+/// quads are written. `texture`: of every quad of the mesh, written as it is, in the mesh's unit, or none. Spaces in a
+/// name become underscores. The same mesh gives the same bytes. ErrorCode::BadMesh when a quad names a vertex that does
+/// not exist or has no texture where others have; ErrorCode::WriteFailed if the stream gives up.
+[[nodiscard]] Result<void> write_obj(std::ostream& out, const QuadMesh& mesh, std::span<const QuadGroup> groups = {},
+                                     std::span<const QuadTexture> texture = {});
 
 /// The same into a file, replaced if it exists. The error names the file.
 [[nodiscard]] Result<void> write_obj_file(const std::filesystem::path& path, const QuadMesh& mesh,
-                                          std::span<const QuadGroup> groups = {});
+                                          std::span<const QuadGroup> groups = {},
+                                          std::span<const QuadTexture> texture = {});
 
 }  // namespace core

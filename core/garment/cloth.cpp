@@ -41,9 +41,10 @@ BuiltCloth build_cloth(const Network& network, int layer) {
             if (at != next) continue;
             cloth.mesh.vertices.push_back(filled->mesh.vertices[v]);
             cloth.drawn.push_back(border);
+            cloth.line.push_back(border ? keys[v].line : -1);
         }
         cloth.pieces.push_back({region.name, layer, cloth.mesh.quads.size(), filled->mesh.quads.size(),
-                                filled->topology.counts, filled->alpha});
+                                filled->topology.counts, filled->alpha, -1, region.parts});
         for (const Quad& q : filled->mesh.quads)
             cloth.mesh.quads.push_back({number[q[0]], number[q[1]], number[q[2]], number[q[3]]});
     }
@@ -61,9 +62,12 @@ Cloth mirrored_and_joined(const Cloth& half) {
         image[v] = static_cast<std::uint32_t>(whole.mesh.vertices.size());
         whole.mesh.vertices.push_back({-p.x, p.y, p.z});
         whole.drawn.push_back(half.drawn[v]);
+        if (!half.line.empty()) whole.line.push_back(half.line[v]);
         return image[v];
     };
-    for (const ClothPiece& piece : half.pieces) {
+    whole.texture.clear();
+    for (std::size_t p = 0; p < half.pieces.size(); ++p) {
+        const ClothPiece& piece = half.pieces[p];
         bool left = false, right = false;
         for (std::size_t q = piece.first; q < piece.first + piece.count; ++q)
             for (const std::uint32_t v : half.mesh.quads[q]) {
@@ -73,6 +77,8 @@ Cloth mirrored_and_joined(const Cloth& half) {
         if (left && right) continue;
         ClothPiece other = piece;
         other.name += "_mirrored";
+        other.mirror_of = static_cast<int>(p);
+        other.parts = mirrored_parts(piece.parts);
         other.first = whole.mesh.quads.size();
         for (std::size_t q = piece.first; q < piece.first + piece.count; ++q) {
             const Quad& quad = half.mesh.quads[q];
@@ -81,6 +87,25 @@ Cloth mirrored_and_joined(const Cloth& half) {
         whole.pieces.push_back(std::move(other));
     }
     return whole;
+}
+
+PieceMesh mesh_of_piece(const Cloth& cloth, const ClothPiece& piece) {
+    PieceMesh out;
+    std::map<std::uint32_t, std::uint32_t> number;
+    for (std::size_t q = piece.first; q < piece.first + piece.count; ++q) {
+        Quad quad{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::uint32_t v = cloth.mesh.quads[q][k];
+            const auto [at, fresh] = number.emplace(v, static_cast<std::uint32_t>(out.vertex.size()));
+            if (fresh) {
+                out.vertex.push_back(v);
+                out.mesh.vertices.push_back(cloth.mesh.vertices[v]);
+            }
+            quad[k] = at->second;
+        }
+        out.mesh.quads.push_back(quad);
+    }
+    return out;
 }
 
 ClothEdges edges_of(const Cloth& cloth) {

@@ -1,6 +1,7 @@
 #pragma once
 // A garment as one mesh: its regions filled and welded along their seams, mirrored and joined.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -17,13 +18,25 @@ struct ClothPiece {
     std::size_t first = 0, count = 0;  ///< its quads
     QuadDiscCounts counts;
     double alpha = 0.0;  ///< in use
+    int mirror_of = -1;  ///< the piece that this one is the image of
+    PartSet parts = 0;   ///< of the body that it lies over; 0: not known
 };
 
 struct Cloth {
     QuadMesh mesh;
     std::vector<ClothPiece> pieces;
     std::vector<bool> drawn;  ///< of each vertex: on a line of the network, or on its mirror image
+    /// Of each vertex in the middle of a line: its number in the network; -1 for the others. Empty when not known.
+    std::vector<int> line;
+    std::vector<QuadTexture> texture;  ///< of each quad; empty until lay_texture
 };
+
+/// One piece as a mesh of its own, and which vertex of the cloth each of its vertices is.
+struct PieceMesh {
+    QuadMesh mesh;
+    std::vector<std::uint32_t> vertex;
+};
+[[nodiscard]] PieceMesh mesh_of_piece(const Cloth& cloth, const ClothPiece& piece);
 
 /// A region that could not be made, and why; the others are.
 struct ClothFault {

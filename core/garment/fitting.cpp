@@ -1,10 +1,14 @@
 #include "core/garment/fitting.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <initializer_list>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "core/mesh/crossings.hpp"
 
@@ -12,6 +16,10 @@ namespace core {
 namespace {
 
 constexpr double kSmallQuad_cm = 2.5;  // longest diagonal
+constexpr double kSkin_cm = 0.2;       // so deep the nearest way out is always right
+constexpr double kBodyReach_cm = 40.0;
+constexpr int kPartingRounds = 30;
+constexpr double kPartingStep_cm = 0.12;
 
 struct Link {
     std::uint32_t a, b;
@@ -54,7 +62,12 @@ class Fitter {
           options_(options),
           edges_(links_of(cloth.mesh, false)),
           springs_(links_of(cloth.mesh, true)),
-          outward_(outward_directions(cloth.mesh)) {}
+          outward_(outward_directions(cloth.mesh)),
+          parts_(cloth.mesh.vertices.size(), 0) {
+        for (const ClothPiece& piece : cloth.pieces)
+            for (std::size_t q = piece.first; q < piece.first + piece.count; ++q)
+                for (const std::uint32_t v : mesh_.quads[q]) parts_[v] |= piece.parts;
+    }
 
     FittingReport run() {
         FittingReport report;
@@ -67,6 +80,7 @@ class Fitter {
         for (int round = 0; round < 40 && closest() < options_.clearance_cm * 0.98; ++round)
             push_out(options_.clearance_cm * 1.02);
         part_crossings();
+        part_from_itself(report);
         report.closest_cm = closest();
         report.deepest_after_cm = std::max(0.0, -report.closest_cm);
         double sum = 0.0;
@@ -81,29 +95,49 @@ class Fitter {
     }
 
   private:
-    /// How far a point must move to be `clearance` away, and which way: down the field, or along the cloth's outward
-    /// direction where these disagree.
-    [[nodiscard]] Vec3 way_out(Vec3 p, Vec3 outward, double clearance) const {
+    /// How far a point must move to be `clearance` away, and which way: down the field if the nearest part of the body
+    /// is one of the cloth's own, back towards these if not; where parts are not known, along the cloth's outward
+    /// direction where the field leads elsewhere.
+    [[nodiscard]] Vec3 way_out(Vec3 p, Vec3 outward, PartSet own, double clearance) const {
         const double d = obstacle_.distance(p);
         if (d >= clearance) return {};
         const FieldSample s = obstacle_.sample(p);
-        if (dot(s.gradient, outward) > 0.1 || d > -0.2) return s.gradient * (clearance - d);
+        if (d > -kSkin_cm) return s.gradient * (clearance - d);
+        if (own != 0 && !obstacle_.parts().empty())
+            if (const std::optional<Vec3> back = way_back(p, own, clearance); back) return *back;
+        if (dot(s.gradient, outward) > 0.1) return s.gradient * (clearance - d);
         const double most = 3.0 * (clearance - d);  // farther out it would leave by another part of the body
         for (double step = 0.3; step < most; step += 0.3)
             if (obstacle_.distance(p + outward * step) >= clearance) return outward * step;
         return s.gradient * (clearance - d);
     }
 
+    /// The move out of a part that the cloth is not associated with: straight towards the nearest place of its own
+    /// parts, as far as the gap between the two, or to that place. Nothing when the part is its own.
+    [[nodiscard]] std::optional<Vec3> way_back(Vec3 p, PartSet own, double clearance) const {
+        const PartSurface& parts = obstacle_.parts();
+        const std::optional<PartPlace> near = parts.nearest(p, ~PartSet{0}, kBodyReach_cm);
+        if (!near || (own & part_bit(near->part)) != 0) return std::nullopt;
+        const std::optional<PartPlace> home = parts.nearest(p, own, kBodyReach_cm);
+        if (!home) return std::nullopt;
+        const Vec3 way = home->place + home->outward * clearance - p;
+        const double far = length(way);
+        for (double at = 0.3; at < far; at += 0.3)
+            if (obstacle_.distance(p + way * (at / far)) >= clearance) return way * (at / far);
+        return way;
+    }
+
     void push_out(double clearance) {
         for (std::size_t v = 0; v < mesh_.vertices.size(); ++v)
-            mesh_.vertices[v] = mesh_.vertices[v] + way_out(mesh_.vertices[v], outward_[v], clearance);
+            mesh_.vertices[v] = mesh_.vertices[v] + way_out(mesh_.vertices[v], outward_[v], parts_[v], clearance);
         // each vertex takes the largest of the moves that places beside it ask for: a sum would throw it far off
         std::vector<Vec3> move(mesh_.vertices.size());
         for_places([&](Vec3 p, std::initializer_list<std::uint32_t> around) {
             if (obstacle_.distance(p) >= clearance) return;
             Vec3 outward;
-            for (const std::uint32_t v : around) outward = outward + outward_[v];
-            const Vec3 m = way_out(p, normalised(outward), clearance);
+            PartSet own = 0;
+            for (const std::uint32_t v : around) outward = outward + outward_[v], own |= parts_[v];
+            const Vec3 m = way_out(p, normalised(outward), own, clearance);
             for (const std::uint32_t v : around)
                 if (dot(m, m) > dot(move[v], move[v])) move[v] = m;
         });
@@ -145,6 +179,48 @@ class Fitter {
                     mesh_.vertices[v] = mesh_.vertices[v] +
                                         normalised(outward_[v] + obstacle_.sample(mesh_.vertices[v]).gradient) * 0.15;
         }
+    }
+
+    /// Parts cloth that passes through cloth of its layer, in small moves; each is followed by a move off the body.
+    void part_from_itself(FittingReport& report) {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> crossings = self_crossings(mesh_);
+        report.self_crossings_before = report.self_crossings = crossings.size();
+        std::vector<Vec3> best = mesh_.vertices;
+        for (int round = 0; round < kPartingRounds && !crossings.empty(); ++round) {
+            std::vector<Vec3> move(mesh_.vertices.size());
+            for (const auto& [a, b] : crossings) add_parting(a, b, move);
+            for (std::size_t v = 0; v < move.size(); ++v) {
+                const double size = length(move[v]);
+                if (size > 0.0) mesh_.vertices[v] = mesh_.vertices[v] + move[v] * (kPartingStep_cm / size);
+            }
+            push_out(options_.clearance_cm);
+            part_crossings();
+            crossings = self_crossings(mesh_);
+            if (crossings.size() >= report.self_crossings) continue;
+            report.self_crossings = crossings.size();
+            best = mesh_.vertices;
+        }
+        mesh_.vertices = std::move(best);
+    }
+
+    /// Facing sheets draw back against their outward directions; of sheets that look the same way, the one that is
+    /// farther from the body moves out and the other in.
+    void add_parting(std::uint32_t a, std::uint32_t b, std::vector<Vec3>& move) const {
+        const auto middle = [&](std::uint32_t q) {
+            Vec3 sum;
+            for (const std::uint32_t v : mesh_.quads[q]) sum = sum + mesh_.vertices[v] * 0.25;
+            return sum;
+        };
+        const auto normal = [&](std::uint32_t q) {
+            const Quad& k = mesh_.quads[q];
+            return normalised(
+                cross(mesh_.vertices[k[2]] - mesh_.vertices[k[0]], mesh_.vertices[k[3]] - mesh_.vertices[k[1]]));
+        };
+        const Vec3 na = normal(a), nb = normal(b);
+        double way_a = -1.0, way_b = -1.0;
+        if (dot(na, nb) > 0.0) (obstacle_.distance(middle(a)) >= obstacle_.distance(middle(b)) ? way_a : way_b) = 1.0;
+        for (const std::uint32_t v : mesh_.quads[a]) move[v] = move[v] + na * way_a;
+        for (const std::uint32_t v : mesh_.quads[b]) move[v] = move[v] + nb * way_b;
     }
 
     void fair() {
@@ -206,6 +282,7 @@ class Fitter {
     FittingOptions options_;
     std::vector<Link> edges_, springs_;
     std::vector<Vec3> outward_;
+    std::vector<PartSet> parts_;  // of each vertex, those of its pieces
 };
 
 }  // namespace
@@ -213,6 +290,21 @@ class Fitter {
 FittingReport fit_cloth(Cloth& cloth, const Obstacle& obstacle, const FittingOptions& options) {
     if (cloth.mesh.vertices.empty()) return {};
     return Fitter(cloth, obstacle, options).run();
+}
+
+std::string fitting_warning(const FittingReport& report) {
+    std::string what;
+    if (report.deepest_after_cm > 0.0) {
+        std::array<char, 96> text{};
+        std::snprintf(text.data(), text.size(), "stays up to %.2f cm inside what is below it", report.deepest_after_cm);
+        what = text.data();
+    }
+    if (report.self_crossings > 0) {
+        if (!what.empty()) what += " and ";
+        what += "passes through itself at " + std::to_string(report.self_crossings) +
+                (report.self_crossings == 1 ? " place" : " places");
+    }
+    return what.empty() ? what : "The cloth " + what + ": draw it looser there.";
 }
 
 }  // namespace core

@@ -1,9 +1,13 @@
 #pragma once
 // Cloth comes off the body: what is inside is moved out, and the cloth is made even again, in turn (thesis 3.3).
 //
-// Each vertex keeps to the side of the body that the cloth was drawn on: it moves out along the cloth's own outward
-// direction where the body's surface would lead it elsewhere (between the legs, under an arm).
+// Each piece keeps to the parts of the body that it is associated with (ClothPiece::parts, thesis 3.3): where a vertex
+// came into another part (the other leg, the trunk under an arm) it moves back towards its own parts' surface and not
+// to the nearest way out. Where parts are not known it moves out along the cloth's own outward direction if the body's
+// surface would lead it elsewhere. At last cloth that passes through cloth of its own layer is parted: facing sheets
+// draw back, of sheets that lie over each other the outer one moves out.
 
+#include <string>
 #include <vector>
 
 #include "core/base/result.hpp"
@@ -28,11 +32,15 @@ struct FittingOptions {
 struct FittingReport {
     double deepest_before_cm = 0.0, deepest_after_cm = 0.0;  ///< of vertices and places between them inside it; 0: none
     double closest_cm = 0.0;                                 ///< least distance after; clearance_cm or a little less
-    double mean_stretch = 0.0, largest_stretch = 0.0;        ///< of edges, against their lengths before: 0.02 is 2 %
+    std::size_t self_crossings_before = 0, self_crossings = 0;  ///< pairs of quads of the layer through each other
+    double mean_stretch = 0.0, largest_stretch = 0.0;           ///< of edges, against their lengths before: 0.02 is 2 %
 };
 
-/// Fits a cloth to an obstacle. Drawn vertices move only to come off it. Cost: some 20 field samples a vertex and
-/// round.
+/// Fits a cloth to an obstacle. Drawn vertices move only to come off it, and off the cloth itself. What could not be
+/// resolved is in the report; fitting_warning puts it into words. Cost: some 20 field samples a vertex and round.
 FittingReport fit_cloth(Cloth& cloth, const Obstacle& obstacle, const FittingOptions& options);
+
+/// What a fit left unresolved, in one sentence that says what to do; empty when all is well.
+[[nodiscard]] std::string fitting_warning(const FittingReport& report);
 
 }  // namespace core

@@ -28,22 +28,6 @@ std::string quoted(const std::string& name) {
     return "\"" + name + "\"";
 }
 
-/// Moves the ends of a line to given places; what lies between follows in proportion.
-void pull_ends(SpaceLine& line, Vec3 first, Vec3 last) {
-    const double total = std::max(line_length(line), 1e-12);
-    const Vec3 at_first = first - line.front(), at_last = last - line.back();
-    double passed = 0.0;
-    Vec3 before = line.front();
-    for (Vec3& p : line) {
-        passed += length(p - before);
-        before = p;
-        const double t = passed / total;
-        p = p + at_first * (1.0 - t) + at_last * t;
-    }
-    line.front() = first;
-    line.back() = last;
-}
-
 Vec3 newell(const SpaceLine& ring) {
     Vec3 sum;
     for (std::size_t i = 0; i < ring.size(); ++i) sum = sum + cross(ring[i], ring[(i + 1) % ring.size()]);
@@ -282,7 +266,7 @@ Result<void> Network::add_region(const std::string& name, const std::vector<std:
         (void)split_at((*ring)[0].line, 0.5 * line_length(line.shape));
         ring->insert(reversed ? ring->begin() : ring->end(), {before, reversed});
     }
-    NetworkRegion region{name, std::move(*ring), {}, kCoonsAlpha, layer_, true};
+    NetworkRegion region{name, std::move(*ring), {}, kCoonsAlpha, layer_, true, 0};
     region.corners = detected_corners(region.ring);
     regions_.push_back(std::move(region));
     return {};
@@ -329,7 +313,7 @@ Result<void> Network::part_ring(int index, const std::vector<int>& lines, int fr
     }
     for (const int line : lines) left.push_back({line, false});
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) right.push_back({*line, true});
-    NetworkRegion other{new_name, right, {}, region.alpha, region.layer, true};
+    NetworkRegion other{new_name, right, {}, region.alpha, region.layer, true, region.parts};
     const std::set<int> old = region.corners;
     const auto corners = [&](const std::vector<LineUse>& part) {
         std::set<int> found = detected_corners(part);
@@ -421,7 +405,7 @@ Result<void> Network::cut_hole(const std::string& name, SpaceLine loop, const st
     // the hole runs anti-clockwise, so the cloth beside it passes it against its direction
     left.insert(left.end(), {{line + 2, false}, {line + 1, true}, {line + 3, false}});
     right.insert(right.end(), {{line + 3, true}, {line, true}, {line + 2, true}});
-    NetworkRegion other{new_name, right, {}, whole.alpha, whole.layer, true};
+    NetworkRegion other{new_name, right, {}, whole.alpha, whole.layer, true, whole.parts};
     other.corners = detected_corners(right);
     whole.ring = left;
     whole.corners = detected_corners(left);
@@ -473,6 +457,13 @@ Result<void> Network::set_alpha(const std::string& name, double alpha) {
     if (region == nullptr) return bad("There is no region " + quoted(name) + ".");
     if (!(alpha >= kCoonsAlpha && alpha <= kHarmonicAlpha)) return bad("alpha must lie between -0.25 and 0.");
     region->alpha = alpha;
+    return {};
+}
+
+Result<void> Network::associate(const std::string& name, PartSet parts) {
+    NetworkRegion* region = region_named(name);
+    if (region == nullptr) return bad("There is no region " + quoted(name) + ".");
+    region->parts = parts;
     return {};
 }
 

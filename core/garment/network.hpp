@@ -19,6 +19,7 @@
 #include "core/garment/obstacle.hpp"
 #include "core/garment/region.hpp"
 #include "core/geometry/space_line.hpp"
+#include "core/mannequin/part_set.hpp"
 
 namespace core {
 
@@ -50,6 +51,7 @@ struct NetworkRegion {
     double alpha = kCoonsAlpha;
     int layer = 0;
     bool alive = true;
+    PartSet parts = 0;  ///< of the body that it lies over; 0: not known
 };
 
 struct NetworkOptions {
@@ -104,6 +106,9 @@ class Network {
     [[nodiscard]] Result<void> set_corner(const std::string& region, Vec3 place, bool corner);
 
     [[nodiscard]] Result<void> set_alpha(const std::string& region, double alpha);
+
+    /// Says which parts of the body a region lies over. Halves of a cut region keep them.
+    [[nodiscard]] Result<void> associate(const std::string& region, PartSet parts);
 
     /// Moves the vertex nearest to `from` to `to`, and all lines within `radius` of it with it, less the farther they
     /// are.

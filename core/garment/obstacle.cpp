@@ -12,9 +12,16 @@ constexpr double kLayerCell_cm = 0.7, kLayerReach_cm = 2.5;  // cloth is worn cl
 }  // namespace
 
 Result<Obstacle> Obstacle::of_body(const TriangleMesh& body) {
+    DressForm form;
+    form.mesh = body;
+    return of_body(form);
+}
+
+Result<Obstacle> Obstacle::of_body(const DressForm& form) {
+    const TriangleMesh& body = form.mesh;
     Result<DistanceGrid> grid = DistanceGrid::of_body(body, {});
     if (!grid) return unexpected(grid.error());
-    Obstacle obstacle(std::move(*grid));
+    Obstacle obstacle(std::move(*grid), PartSurface(form));
     QuadMesh surface{body.vertices, {}};
     for (const auto& t : body.triangles) surface.quads.push_back({t[0], t[1], t[2], t[2]});
     obstacle.surfaces_.push_back(std::move(surface));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/garment/part_surface.hpp"
 #include "core/mesh/distance_grid.hpp"
 
 namespace core {
@@ -13,6 +14,8 @@ class Obstacle {
   public:
     /// The body must be closed, in centimetres, y up. ErrorCode::BadMesh otherwise.
     [[nodiscard]] static Result<Obstacle> of_body(const TriangleMesh& body);
+    /// The same, with the parts of the body where the form knows them.
+    [[nodiscard]] static Result<Obstacle> of_body(const DressForm& form);
 
     /// Cloth worn below: what is drawn and fitted from now on stays on its outer side.
     void add_layer(const QuadMesh& cloth);
@@ -24,6 +27,9 @@ class Obstacle {
     /// The surfaces themselves: the body, then each layer.
     [[nodiscard]] const std::vector<QuadMesh>& surfaces() const { return surfaces_; }
 
+    /// The body by its parts; empty when these are not known.
+    [[nodiscard]] const PartSurface& parts() const { return parts_; }
+
     /// Where a ray comes within `offset` of the surface for the first time, along a unit direction; nothing within
     /// `reach`. Starts that are nearer already give the start.
     [[nodiscard]] std::optional<Vec3> first_hit(Vec3 origin, Vec3 direction, double offset, double reach) const;
@@ -32,8 +38,9 @@ class Obstacle {
     [[nodiscard]] Vec3 nearest_pass(Vec3 origin, Vec3 direction, double reach) const;
 
   private:
-    explicit Obstacle(DistanceGrid body) : body_(std::move(body)) {}
+    Obstacle(DistanceGrid body, PartSurface parts) : body_(std::move(body)), parts_(std::move(parts)) {}
     DistanceGrid body_;
+    PartSurface parts_;
     std::vector<DistanceGrid> layers_;
     std::vector<QuadMesh> surfaces_;
 };

@@ -5,6 +5,7 @@
 #include <opensubdiv/far/topologyRefinerFactory.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -22,7 +23,35 @@ struct Place {
     void AddWithWeight(const Place& other, float weight) { p = p + other.p * static_cast<double>(weight); }  // NOLINT
 };
 
-std::unique_ptr<far::TopologyRefiner> refiner_of(const Cloth& cloth) {
+struct FlatPlace {
+    Point p;
+    void Clear(void* = nullptr) { p = {}; }                     // NOLINT: OpenSubdiv's names
+    void AddWithWeight(const FlatPlace& other, float weight) {  // NOLINT
+        p = p + other.p * static_cast<double>(weight);
+    }
+};
+
+/// Places on the flat cloth by corners of quads: corners of one piece at one vertex share theirs.
+struct FlatPlaces {
+    std::vector<FlatPlace> places;
+    std::vector<int> of_corner;
+};
+
+FlatPlaces flat_places(const Cloth& cloth) {
+    FlatPlaces out;
+    for (const ClothPiece& piece : cloth.pieces) {
+        std::map<std::uint32_t, int> number;
+        for (std::size_t q = piece.first; q < piece.first + piece.count; ++q)
+            for (std::size_t k = 0; k < 4; ++k) {
+                const auto [at, fresh] = number.emplace(cloth.mesh.quads[q][k], static_cast<int>(out.places.size()));
+                if (fresh) out.places.push_back({cloth.texture[q][k]});
+                out.of_corner.push_back(at->second);
+            }
+    }
+    return out;
+}
+
+std::unique_ptr<far::TopologyRefiner> refiner_of(const Cloth& cloth, FlatPlaces& flat) {
     const ClothEdges edges = edges_of(cloth);
     std::vector<int> corners, counts(cloth.mesh.quads.size(), 4), creases;
     for (const Quad& q : cloth.mesh.quads)
@@ -38,7 +67,15 @@ std::unique_ptr<far::TopologyRefiner> refiner_of(const Cloth& cloth) {
     descriptor.numCreases = static_cast<int>(sharp.size());
     descriptor.creaseVertexIndexPairs = creases.data();
     descriptor.creaseWeights = sharp.data();
+    far::TopologyDescriptor::FVarChannel channel;
+    if (!flat.places.empty()) {
+        channel.numValues = static_cast<int>(flat.places.size());
+        channel.valueIndices = flat.of_corner.data();
+        descriptor.numFVarChannels = 1;
+        descriptor.fvarChannels = &channel;
+    }
     OpenSubdiv::Sdc::Options options;
+    options.SetFVarLinearInterpolation(OpenSubdiv::Sdc::Options::FVAR_LINEAR_CORNERS_ONLY);
     options.SetVtxBoundaryInterpolation(OpenSubdiv::Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
     using Factory = far::TopologyRefinerFactory<far::TopologyDescriptor>;
     return std::unique_ptr<far::TopologyRefiner>(
@@ -68,7 +105,9 @@ Result<Cloth> subdivided(const Cloth& cloth, int levels) {
     if (levels < 1 || levels > 3)
         return unexpected(ErrorCode::BadArgument, "Cloth can be made finer by 1, 2 or 3 levels.");
     if (cloth.mesh.quads.empty()) return cloth;
-    const std::unique_ptr<far::TopologyRefiner> refiner = refiner_of(cloth);
+    FlatPlaces flat;
+    if (!cloth.texture.empty()) flat = flat_places(cloth);
+    const std::unique_ptr<far::TopologyRefiner> refiner = refiner_of(cloth, flat);
     if (!refiner) return unexpected(ErrorCode::BadMesh, "The cloth's quads cannot be subdivided.");
     refiner->RefineUniform(far::TopologyRefiner::UniformOptions(levels));
     std::vector<Place> places;
@@ -79,6 +118,11 @@ Result<Cloth> subdivided(const Cloth& cloth, int levels) {
         auto* target = finer.data();
         primvars.Interpolate(level, places.data(), target);
         places = std::move(finer);
+        if (flat.places.empty()) continue;
+        std::vector<FlatPlace> flatter(static_cast<std::size_t>(refiner->GetLevel(level).GetNumFVarValues(0)));
+        auto* flat_target = flatter.data();
+        primvars.InterpolateFaceVarying(level, flat.places.data(), flat_target);
+        flat.places = std::move(flatter);
     }
     const auto& last = refiner->GetLevel(levels);
     const std::vector<std::size_t> origin = origins(*refiner, levels, cloth.mesh.quads.size());
@@ -92,6 +136,12 @@ Result<Cloth> subdivided(const Cloth& cloth, int levels) {
         Quad quad{};
         for (int k = 0; k < 4; ++k) quad[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(v[k]);
         out.mesh.quads.push_back(quad);
+        if (flat.places.empty()) continue;
+        const auto values = last.GetFaceFVarValues(static_cast<int>(face), 0);
+        QuadTexture texture{};
+        for (int k = 0; k < 4; ++k)
+            texture[static_cast<std::size_t>(k)] = flat.places[static_cast<std::size_t>(values[k])].p;
+        out.texture.push_back(texture);
     }
     const std::size_t share = std::size_t{1} << (2 * levels);
     for (ClothPiece piece : cloth.pieces) {

@@ -45,6 +45,21 @@ SpaceLine resampled(const SpaceLine& line, int edges) {
     return out;
 }
 
+void pull_ends(SpaceLine& line, Vec3 first, Vec3 last) {
+    const double total = std::max(line_length(line), 1e-12);
+    const Vec3 at_first = first - line.front(), at_last = last - line.back();
+    double passed = 0.0;
+    Vec3 before = line.front();
+    for (Vec3& p : line) {
+        passed += length(p - before);
+        before = p;
+        const double t = passed / total;
+        p = p + at_first * (1.0 - t) + at_last * t;
+    }
+    line.front() = first;
+    line.back() = last;
+}
+
 NearestOnLine nearest_on_line(const SpaceLine& line, Vec3 point) {
     NearestOnLine best{0.0, std::numeric_limits<double>::max(), {}};
     double passed = 0.0;

@@ -17,6 +17,9 @@ using SpaceLine = std::vector<Vec3>;
 /// `edges` + 1 points at equal distances along the line; ends stay as they are, bit for bit. edges >= 1.
 [[nodiscard]] SpaceLine resampled(const SpaceLine& line, int edges);
 
+/// Moves the ends of a line to given places; what lies between follows in proportion to its distance from them.
+void pull_ends(SpaceLine& line, Vec3 first, Vec3 last);
+
 /// The nearest place on a line.
 struct NearestOnLine {
     double along = 0.0, distance = 0.0;

@@ -206,7 +206,7 @@ class Solver {
 /// Heights as the mesh has them: the extremes of its outline, the level of the narrowest and the widest tape.
 class HeightFinder {
   public:
-    HeightFinder(const QuadMesh& mesh, const BodyShape& shape) : mesh_(mesh), shape_(shape) {}
+    explicit HeightFinder(const QuadMesh& mesh) : mesh_(mesh) {}
 
     [[nodiscard]] double crown() const {
         double top = 0.0;
@@ -231,11 +231,10 @@ class HeightFinder {
 
   private:
     const QuadMesh& mesh_;
-    const BodyShape& shape_;
 };
 
-std::vector<ReachedMeasure> heights_of(const Mannequin& body, const BodyShape& shape, const BodyFrame& f) {
-    const HeightFinder finder(body.mesh, shape);
+std::vector<ReachedMeasure> heights_of(const Mannequin& body, const BodyFrame& f) {
+    const HeightFinder finder(body.mesh);
     const BodyMeasures& m = body.measures;
     const auto at = [](double y) { return level_plane({0, y, 0}); };
     return {{"stature", m[Measure::Stature], finder.crown(), at(f.stature)},
@@ -293,7 +292,7 @@ Result<Mannequin> make_mannequin(const BodyMeasures& measures) {
     const BodyShape shape = solver.shape();
     body.closed = is_closed_manifold(body.mesh);
     body.girths = solver.reached(body.mesh);
-    body.heights = heights_of(body, shape, solver.frame());
+    body.heights = heights_of(body, solver.frame());
     body.landmarks = landmarks_of(shape, solver.frame());
     for (const Quad& q : body.mesh.quads) {
         Vec3 sum;

@@ -9,6 +9,7 @@
 #include "core/base/result.hpp"
 #include "core/mannequin/body_measures.hpp"
 #include "core/mannequin/body_shape.hpp"
+#include "core/mannequin/landmark.hpp"
 #include "core/mesh/plane_section.hpp"
 #include "core/mesh/quad_mesh.hpp"
 
@@ -19,11 +20,6 @@ struct ReachedMeasure {
     std::string name;
     double asked_cm = 0.0, reached_cm = 0.0;
     CutPlane plane;  ///< girths: where the tape lies; heights: origin only
-};
-
-struct Landmark {
-    std::string name;  ///< "nape", "shoulder_left", "bust_point_right", "waist_front", …
-    Vec3 place;        ///< on the surface
 };
 
 struct Mannequin {

@@ -17,6 +17,7 @@
 #include "core/exchange/region_reader.hpp"
 #include "core/garment/region.hpp"
 #include "core/garment/subdivision.hpp"
+#include "core/garment/texture.hpp"
 #include "core/garment/wardrobe.hpp"
 #include "core/mannequin/mannequin.hpp"
 #include "core/mannequin/own_body.hpp"
@@ -93,23 +94,23 @@ struct BuildOptions {
 };
 
 /// What the design is worn on: its mannequin, or a mesh of the user's.
-core::Result<core::TriangleMesh> body_for(const core::Design& design, const std::string& path) {
+core::Result<core::DressForm> form_for(const core::Design& design, const std::string& path) {
     if (path.empty()) {
         const core::Result<core::Mannequin> body = core::make_mannequin(design.body);
         if (!body) return core::unexpected(body.error());
-        return core::triangles_of(body->mesh);
+        return core::dress_form(*body);
     }
     const core::Result<core::TriangleMesh> mesh = core::read_mesh(path);
     if (!mesh) return core::unexpected(mesh.error());
     core::Result<core::TriangleMesh> stood = core::stand_body(*mesh);
     if (!stood) return core::unexpected(stood.error().code, stood.error().message, path);
-    return stood;
+    return core::dress_form(std::move(*stood));
 }
 
 /// Finer layers, off the body and off each other again.
-core::Result<void> smooth_layers(core::Garment& garment, const core::Design& design, const core::TriangleMesh& body,
+core::Result<void> smooth_layers(core::Garment& garment, const core::Design& design, const core::DressForm& form,
                                  int levels) {
-    core::Result<core::Obstacle> obstacle = core::Obstacle::of_body(body);
+    core::Result<core::Obstacle> obstacle = core::Obstacle::of_body(form);
     if (!obstacle) return core::unexpected(obstacle.error());
     core::FittingOptions options = design.fitting;
     options.rounds = 2;
@@ -134,23 +135,25 @@ core::Result<void> write_garment(const core::Garment& garment, const std::string
         for (std::size_t i = 0; i < garment.layers.size(); ++i)
             for (const core::ClothPiece& piece : garment.layers[i].fitted.pieces)
                 meshes.push_back({piece.name, &garment.layers[i].fitted.mesh, piece.first, piece.count,
-                                  kCloth[i % kCloth.size()], true});
+                                  kCloth[i % kCloth.size()], true, &garment.layers[i].fitted.texture});
         return core::write_glb_file(path, meshes);
     }
     core::QuadMesh all;
     std::vector<core::QuadGroup> groups;
+    std::vector<core::QuadTexture> texture;
     for (const core::FinishedLayer& layer : garment.layers) {
         const auto shift = static_cast<std::uint32_t>(all.vertices.size());
         for (const core::ClothPiece& piece : layer.fitted.pieces)
             groups.push_back({piece.name, all.quads.size() + piece.first, piece.count});
         all.vertices.insert(all.vertices.end(), layer.fitted.mesh.vertices.begin(), layer.fitted.mesh.vertices.end());
+        texture.insert(texture.end(), layer.fitted.texture.begin(), layer.fitted.texture.end());
         for (const core::Quad& q : layer.fitted.mesh.quads)
             all.quads.push_back({q[0] + shift, q[1] + shift, q[2] + shift, q[3] + shift});
     }
-    return core::write_obj_file(path, all, groups);
+    return core::write_obj_file(path, all, groups, texture);
 }
 
-ordered_json to_json(const core::FinishedLayer& layer) {
+ordered_json to_json(const core::FinishedLayer& layer, const core::TextureReport& texture) {
     ordered_json pieces = ordered_json::array();
     for (const core::ClothPiece& piece : layer.fitted.pieces)
         pieces.push_back({{"name", piece.name},
@@ -163,13 +166,17 @@ ordered_json to_json(const core::FinishedLayer& layer) {
             {"quads", layer.fitted.mesh.quads.size()},
             {"penetration_cm", {{"drawn", layer.report.deepest_before_cm}, {"fitted", layer.report.deepest_after_cm}}},
             {"closest_cm", layer.report.closest_cm},
-            {"strain", {{"mean", layer.report.mean_stretch}, {"largest", layer.report.largest_stretch}}}};
+            {"self_crossings", {{"before", layer.report.self_crossings_before}, {"left", layer.report.self_crossings}}},
+            {"strain", {{"mean", layer.report.mean_stretch}, {"largest", layer.report.largest_stretch}}},
+            {"texture_strain", {{"mean", texture.mean_strain}, {"largest", texture.largest_strain}}}};
 }
 
-void print_garment(const core::Garment& garment, double ms, bool as_json) {
+void print_garment(const core::Garment& garment, const std::vector<core::TextureReport>& texture, double ms,
+                   bool as_json) {
     if (as_json) {
         ordered_json layers = ordered_json::array(), faults = ordered_json::array();
-        for (const core::FinishedLayer& layer : garment.layers) layers.push_back(to_json(layer));
+        for (std::size_t i = 0; i < garment.layers.size(); ++i)
+            layers.push_back(to_json(garment.layers[i], texture[i]));
         for (const core::DesignFault& fault : garment.faults)
             faults.push_back({{"step", fault.step}, {"why", fault.sentence}});
         std::printf("%s\n", ordered_json{{"layers", layers}, {"faults", faults}, {"ms", ms}}.dump().c_str());
@@ -188,17 +195,23 @@ void run_build(const BuildOptions& options, CommandState& state) {
         return fail(state, {core::ErrorCode::BadArgument, "The garment can be written as .obj or .glb.", options.out});
     const core::Result<core::Design> design = core::read_design(options.design);
     if (!design) return fail(state, design.error());
-    const core::Result<core::TriangleMesh> body = body_for(*design, options.body);
-    if (!body) return fail(state, body.error());
+    const core::Result<core::DressForm> form = form_for(*design, options.body);
+    if (!form) return fail(state, form.error());
     const Stopwatch watch;
-    core::Result<core::Garment> garment = core::make_garment(*design, *body);
+    core::Result<core::Garment> garment = core::make_garment(*design, *form);
     if (!garment) return fail(state, garment.error());
+    std::vector<core::TextureReport> texture;
+    for (core::FinishedLayer& layer : garment->layers) texture.push_back(core::lay_texture(layer.fitted));
     if (options.smooth > 0)
-        if (const auto done = smooth_layers(*garment, *design, *body, options.smooth); !done)
+        if (const auto done = smooth_layers(*garment, *design, *form, options.smooth); !done)
             return fail(state, done.error());
     const double ms = watch.ms();
     if (const auto written = write_garment(*garment, options.out); !written) return fail(state, written.error());
-    print_garment(*garment, ms, options.json);
+    print_garment(*garment, texture, ms, options.json);
+    for (std::size_t i = 0; i < garment->layers.size(); ++i)
+        if (const std::string warning = core::fitting_warning(garment->layers[i].report); !warning.empty())
+            std::fprintf(stderr, "croquis: %s: warning: layer %zu: %s\n", options.design.c_str(), i + 1,
+                         warning.c_str());
     for (const core::DesignFault& fault : garment->faults)
         fail(state, {core::ErrorCode::BadFormat,
                      fault.step > 0 ? "step " + std::to_string(fault.step) + ": " + fault.sentence : fault.sentence,
@@ -219,7 +232,8 @@ void run_wardrobe(const WardrobeOptions& options, CommandState& state) {
     for (const std::string& name : core::wardrobe_names()) {
         const std::filesystem::path path = std::filesystem::path(options.out) / (name + ".json");
         std::ofstream file(path, std::ios::binary | std::ios::trunc);
-        if (!(file << core::design_text(*core::wardrobe_design(name, *body))).flush())
+        const core::Design design = core::recorded(*core::wardrobe_design(name, *body), core::dress_form(*body));
+        if (!(file << core::design_text(design)).flush())
             return fail(state, {core::ErrorCode::WriteFailed, "The design cannot be written; check the folder.",
                                 path.string()});
         std::printf("%s\n", path.c_str());

@@ -103,7 +103,7 @@ TEST_CASE("faulty steps are named, the rest is made", "[design]") {
     CHECK(garment->faults[0].sentence.find("line \"lost\"") != std::string::npos);
     CHECK(garment->faults[1].sentence.find("region \"nowhere\"") != std::string::npos);
     CHECK(garment->layers[0].fitted.pieces.size() == 2);
-    CHECK_FALSE(core::make_garment(design, {}));
+    CHECK_FALSE(core::make_garment(design, core::TriangleMesh{}));
 }
 
 TEST_CASE("a design is read back as it was written, and makes the same garment", "[design_file]") {
@@ -111,8 +111,8 @@ TEST_CASE("a design is read back as it was written, and makes the same garment",
     design.body[core::Measure::Waist] = 71.5;
     design.fitting.fairing = core::Fairing::Particles;
     DesignStep step;
-    for (const Kind kind :
-         {Kind::Cut, Kind::Hole, Kind::Remove, Kind::Corner, Kind::Alpha, Kind::Move, Kind::Weld, Kind::Layer}) {
+    for (const Kind kind : {Kind::Cut, Kind::Hole, Kind::Remove, Kind::Corner, Kind::Alpha, Kind::Move, Kind::Weld,
+                            Kind::Layer, Kind::Associate}) {
         step.kind = kind;
         step.name = "n";
         step.region = "front";
@@ -121,6 +121,8 @@ TEST_CASE("a design is read back as it was written, and makes the same garment",
         step.radius = 4;
         step.on = false;
         step.alpha = -0.125;
+        step.parts = core::part_bit(core::BodyPart::Torso) | core::part_bit(core::BodyPart::LegRight);
+        step.starts_at = "waist_left";
         step.stroke = {
             {*core::perspective_view({30, 40, 50}, {1, 2, 3}), {Tool::Temporary, 0.0}, {{0.1, 0.2}, {1, 3}}}};
         design.steps.push_back(step);
@@ -153,7 +155,7 @@ TEST_CASE("a design cut short or wrong is refused in one sentence", "[design_fil
         const auto design = core::parse_design(changed);
         return design ? std::string() : design.error().message;
     };
-    CHECK(with("\"version\": 1", "\"version\": 99").find("newer") != std::string::npos);
+    CHECK(with("\"version\": 2", "\"version\": 99").find("newer") != std::string::npos);
     CHECK(with("croquis-garment", "other").find("format") != std::string::npos);
     CHECK(with("\"size\": \"38\"", "\"size\": \"99\"").find("36 to 44") != std::string::npos);
     CHECK(with("\"do\":\"line\"", "\"do\":\"fly\"").find("step 1: there is no step \"fly\"") != std::string::npos);
@@ -161,4 +163,14 @@ TEST_CASE("a design cut short or wrong is refused in one sentence", "[design_fil
     CHECK(with("\"tool\":\"plane_xz\"", "\"tool\":\"nail\"").find("nail") != std::string::npos);
     CHECK(with("\"offset\":40.0", "\"offset\":\"x\"").find("offset") != std::string::npos);
     CHECK(core::read_design("/nowhere.json").error().code == core::ErrorCode::FileMissing);
+}
+
+TEST_CASE("a design of version 1 is read and makes the same garment", "[design_file]") {
+    const Design design = half_tube();
+    std::string text = core::design_text(design);
+    text.replace(text.find("\"version\": 2"), 12, "\"version\": 1");
+    const auto read = core::parse_design(text);
+    REQUIRE(read);
+    CHECK(core::make_garment(*read, body())->layers[0].fitted.mesh.vertices ==
+          core::make_garment(design, body())->layers[0].fitted.mesh.vertices);
 }

@@ -97,5 +97,5 @@ TEST_CASE("faulty strokes and views", "[drawing]") {
     CHECK_FALSE(core::lift_stroke(
         {part("front", Kind::Body, 0, {{1, 30}, {std::numeric_limits<double>::quiet_NaN(), 30}})}, body()));
     CHECK(core::named_view("below").error().message.find("front, back") != std::string::npos);
-    CHECK_FALSE(core::Obstacle::of_body({}));
+    CHECK_FALSE(core::Obstacle::of_body(core::TriangleMesh{}));
 }

@@ -1,6 +1,7 @@
 #include "core/exchange/glb_writer.hpp"
 
 #include <catch2/catch.hpp>
+#include <cstring>
 #include <sstream>
 
 #include "core/exchange/mesh_reader.hpp"
@@ -43,6 +44,21 @@ TEST_CASE("the mesh is read back in metres", "[glb_writer]") {
     double right = 0.0;
     for (const core::Vec3& v : mesh->vertices) right = std::max(right, v.x);
     CHECK(right == Approx(2.0));
+}
+
+TEST_CASE("texture coordinates are in metres and run down; vertices with two are split", "[glb_writer]") {
+    const std::vector<core::QuadTexture> texture{{{{0, 0}, {100, 0}, {100, 50}, {0, 50}}},
+                                                 {{{100, 0}, {200, 0}, {200, 50}, {100, 25}}}};
+    std::ostringstream out;
+    REQUIRE(core::write_glb(out, std::vector<GlbMesh>{{"all", &kTwo, 0, 2, {}, true, &texture}}));
+    const std::string bytes = out.str();
+    CHECK(bytes.find("\"TEXCOORD_0\"") != std::string::npos);
+    CHECK(bytes.find("\"count\":7,\"type\":\"VEC2\"") != std::string::npos);
+    float down = 0.0F;
+    std::memcpy(&down, bytes.data() + bytes.size() - 4 * 12 - 4 * 1, 4);  // the last value before twelve indices
+    CHECK(down == Approx(-0.25F));
+    const std::vector<core::QuadTexture> few(1);
+    CHECK_FALSE(core::write_glb(out, std::vector<GlbMesh>{{"few", &kTwo, 0, 2, {}, true, &few}}));
 }
 
 TEST_CASE("faulty meshes and streams", "[glb_writer]") {
