@@ -16,12 +16,14 @@ double feature(const Part& part, Feature f) {
     return part.features[static_cast<std::size_t>(f)];
 }
 
-/// The samples of the arc, both ends included.
+/// The samples of the arc, both ends included, seen from its start: such differences are exact, so that no feature
+/// depends on where the shape lies.
 Polyline chain_of(const Polygon& samples, const ArcMeasures& arcs, Arc arc) {
     const int n = arcs.count();
+    const Point start = samples[static_cast<std::size_t>(arc.from)];
     Polyline chain;
     for (int k = 0; k <= arcs.steps(arc.from, arc.to); ++k) {
-        chain.push_back(samples[static_cast<std::size_t>((arc.from + k) % n)]);
+        chain.push_back(samples[static_cast<std::size_t>((arc.from + k) % n)] - start);
     }
     return chain;
 }

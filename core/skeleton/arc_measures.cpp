@@ -6,10 +6,13 @@ namespace core {
 
 ArcMeasures::ArcMeasures(const Polygon& samples) : samples_(samples) {
     const std::size_t n = samples_.size();
-    const Point centre = centroid_of_points(samples_);
+    // From the first sample first: differences of samples are exact, and so the place of the shape does not matter.
+    const Point first = n > 0 ? samples_.front() : Point{};
+    for (Point& p : samples_) p = p - first;
+    const Point centre = n > 0 ? centroid_of_points(samples_) : Point{};
     double radius = 0.0;
     for (Point& p : samples_) {
-        p = p - centre;  // sums of differences: the place of the shape does not matter
+        p = p - centre;
         radius = std::max(radius, core::length(p));
     }
     length_.assign(n + 1, 0.0);

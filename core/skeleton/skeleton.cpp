@@ -18,6 +18,14 @@ Polygon on_sample_grid(Polygon samples) {
     return samples;
 }
 
+/// Seen from its first point: such differences of samples are exact, so that nothing measured on them depends on where
+/// the shape lies.
+Polygon from_first(Polygon samples) {
+    const Point first = samples.front();
+    for (Point& p : samples) p = p - first;
+    return samples;
+}
+
 }  // namespace
 
 Result<Skeleton> skeletonise(const Polygon& contour, const ShapeParameters& p) {
@@ -32,19 +40,21 @@ Result<Skeleton> skeletonise(const Polygon& contour, const ShapeParameters& p) {
     if (s.samples.size() < 3 || !(signed_area(s.samples) > 0.0)) {
         return unexpected(ErrorCode::BadOutline, "the outline encloses no area once it is sampled");
     }
-    s.arcs = ArcMeasures(s.samples);
-    s.axis = axis_of_least_inertia(s.samples);
-    Result<Triangulation> triangulation = triangulate(stretched_along(s.samples, s.axis, p.scale_coef));
+    const Polygon placed = from_first(s.samples);
+    s.arcs = ArcMeasures(placed);
+    const InertiaAxis axis = axis_of_least_inertia(placed);
+    s.axis = {axis.centre + s.samples.front(), axis.direction};
+    Result<Triangulation> triangulation = triangulate(stretched_along(placed, axis, p.scale_coef));
     if (!triangulation) return unexpected(triangulation.error());
     s.triangulation = std::move(*triangulation);
-    s.profile = extended_profile(s.samples, s.triangulation);
+    s.profile = extended_profile(placed, s.triangulation);
     s.csp_pieces = segment(s.triangulation, s.profile.cuts());
-    s.significant_pieces = without_insignificant_terminals(s.samples, s.arcs, s.triangulation, s.csp_pieces, p);
+    s.significant_pieces = without_insignificant_terminals(placed, s.arcs, s.triangulation, s.csp_pieces, p);
     s.merged_pieces = with_trimmed_junctions(
-        s.samples, s.triangulation, with_merged_junctions(s.samples, s.triangulation, s.significant_pieces, p));
+        placed, s.triangulation, with_merged_junctions(placed, s.triangulation, s.significant_pieces, p));
     s.pieces = with_joined_sleeves(s.triangulation, s.merged_pieces);
     s.graph = cat_graph(s.samples, s.triangulation, s.pieces);
-    s.skeletal_length = skeletal_length(cat_graph(s.samples, s.triangulation, s.merged_pieces));
+    s.skeletal_length = skeletal_length(cat_graph(placed, s.triangulation, s.merged_pieces));
     return s;
 }
 

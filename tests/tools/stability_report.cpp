@@ -4,7 +4,8 @@
 //
 //     stability_report LIST [EVERY]      LIST: path<TAB>class; only every EVERY-th shape is copied
 //
-// Prints for each copy how often the descriptor is identical and how often the original is the nearest of all.
+// Prints for each copy how often both descriptors are identical, and how often the original is the nearest of all by
+// the parts, by the contour and by both.
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,7 @@
 
 #include "core/exchange/image_reader.hpp"
 #include "core/exchange/list_file.hpp"
-#include "core/match/match.hpp"
-#include "core/parts/describe.hpp"
+#include "core/fusion/fused_match.hpp"
 #include "core/silhouette/contour.hpp"
 
 namespace {
@@ -79,11 +79,13 @@ core::Result<core::Polygon> outline_of(const core::GrayImage& image) {
 
 struct Copies {
     std::string name;
-    int made = 0, identical = 0, nearest = 0;
+    int made = 0, identical = 0, by_parts = 0, by_contour = 0, by_both = 0;
 };
 
 /// Whether the parts are the same and the samples differ by a whole shift alone.
-bool identical(const core::ShapeDescriptor& a, const core::ShapeDescriptor& b) {
+bool identical(const core::OutlineReadings& of_a, const core::OutlineReadings& of_b) {
+    if (of_a.contour != of_b.contour) return false;
+    const core::ShapeDescriptor &a = of_a.parts, &b = of_b.parts;
     if (a.parts != b.parts || a.stop_points != b.stop_points || a.samples.size() != b.samples.size()) return false;
     const core::Point shift = b.samples.front() - a.samples.front();
     for (std::size_t i = 0; i < a.samples.size(); ++i) {
@@ -94,40 +96,60 @@ bool identical(const core::ShapeDescriptor& a, const core::ShapeDescriptor& b) {
 
 class Report {
   public:
-    explicit Report(std::vector<core::Polygon> outlines) {
-        for (core::Polygon& outline : outlines) {
-            const auto described = core::describe(outline);
-            descriptors_.push_back(described ? *described : core::ShapeDescriptor{});
-            shapes_.push_back(core::matchable(descriptors_.back()));
+    explicit Report(const std::vector<core::Polygon>& outlines) {
+        for (const core::Polygon& outline : outlines) {
+            const auto described = core::read_outline(outline);
+            readings_.push_back(described ? *described : core::OutlineReadings{});
+            shapes_.push_back(core::comparable(readings_.back()));
         }
     }
 
     void try_copy(const std::string& name, std::size_t original, const core::Polygon& outline) {
         Copies& copies = of(name);
         ++copies.made;
-        const auto described = core::describe(outline);
+        const auto described = core::read_outline(outline);
         if (!described) return;
-        copies.identical += identical(descriptors_[original], *described) ? 1 : 0;
-        const core::MatchableShape shape = core::matchable(*described);
-        const double own = matcher_.distance(shape, shapes_[original]);
-        for (std::size_t i = 0; i < shapes_.size(); ++i) {
-            if (i != original && matcher_.distance(shape, shapes_[i], own) < own) return;
-        }
-        ++copies.nearest;
+        copies.identical += identical(readings_[original], *described) ? 1 : 0;
+        const core::ComparableShape shape = core::comparable(*described);
+        copies.by_parts += nearest(original, [&](const core::ComparableShape& s, double limit) {
+            return matcher_.parts().distance(shape.parts, s.parts, limit);
+        });
+        copies.by_contour += nearest(original, [&](const core::ComparableShape& s, double limit) {
+            return matcher_.contour().distance(shape.contour, s.contour, limit);
+        });
+        copies.by_both += nearest(
+            original, [&](const core::ComparableShape& s, double limit) { return matcher_.distance(shape, s, limit); });
     }
 
     void print() const {
-        int made = 0, nearest = 0;
+        Copies sum{"all"};
         for (const Copies& c : all_) {
-            std::printf("%-14s %5d copies  identical %6.2f %%  nearest %6.2f %%\n", c.name.c_str(), c.made,
-                        100.0 * c.identical / c.made, 100.0 * c.nearest / c.made);
-            made += c.made;
-            nearest += c.nearest;
+            print(c);
+            sum.made += c.made;
+            sum.identical += c.identical;
+            sum.by_parts += c.by_parts;
+            sum.by_contour += c.by_contour;
+            sum.by_both += c.by_both;
         }
-        std::printf("all: nearest %.2f %%\n", 100.0 * nearest / made);
+        print(sum);
     }
 
   private:
+    static void print(const Copies& c) {
+        const auto share = [&](int n) { return 100.0 * n / c.made; };
+        std::printf("%-14s %5d copies  identical %6.2f %%  nearest by parts %6.2f  contour %6.2f  both %6.2f %%\n",
+                    c.name.c_str(), c.made, share(c.identical), share(c.by_parts), share(c.by_contour),
+                    share(c.by_both));
+    }
+    /// 1 when nothing is nearer than the original.
+    template <class Distance>
+    int nearest(std::size_t original, const Distance& distance) const {
+        const double own = distance(shapes_[original], std::numeric_limits<double>::infinity());
+        for (std::size_t i = 0; i < shapes_.size(); ++i) {
+            if (i != original && distance(shapes_[i], own) < own) return 0;
+        }
+        return 1;
+    }
     Copies& of(const std::string& name) {
         for (Copies& c : all_) {
             if (c.name == name) return c;
@@ -135,10 +157,10 @@ class Report {
         all_.push_back({name});
         return all_.back();
     }
-    std::vector<core::ShapeDescriptor> descriptors_;
-    std::vector<core::MatchableShape> shapes_;
+    std::vector<core::OutlineReadings> readings_;
+    std::vector<core::ComparableShape> shapes_;
     std::vector<Copies> all_;
-    core::Matcher matcher_;
+    core::FusedMatcher matcher_;
 };
 
 void try_copies(Report& report, std::size_t i, const core::GrayImage& mask) {
