@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/parallel.hpp"
-#include "core/exchange/sketch_reader.hpp"
 #include "firmware_like_app/collection/sketch_searcher.hpp"
 #include "firmware_like_app/commands/commands.hpp"
 #include "firmware_like_app/kiosk/kiosk.hpp"
+#include "input/formats/any_ink.hpp"
 
 namespace app {
 
@@ -37,14 +37,9 @@ std::optional<ui::SizePx> parse_size(const std::string& text) {
 core::Result<std::vector<NamedDrawing>> read_replays(const std::vector<std::string>& files) {
     std::vector<NamedDrawing> drawings;
     for (const std::string& file : files) {
-        core::Result<core::Sketch> sketch = core::read_sketch(file);
-        if (!sketch) return core::unexpected(sketch.error());
-        if (!sketch->drawing) {
-            return core::unexpected(
-                core::ErrorCode::UnknownFormat,
-                "a picture has no strokes to replay; give an SVG, InkML, Quick-Draw line or stroke list", file);
-        }
-        drawings.push_back({file, std::move(*sketch->drawing)});
+        core::Result<core::Drawing> drawing = input::read_drawing_of_ink(file);
+        if (!drawing) return core::unexpected(drawing.error());
+        drawings.push_back({file, std::move(*drawing)});
     }
     return drawings;
 }
@@ -163,8 +158,10 @@ void add_kiosk_command(CLI::App& cli, CommandState& state) {
     command->add_option("--size", options->size, "WIDTHxHEIGHT");
     command->add_flag("--windowed", options->windowed, "a framed window instead of the full screen");
     command->add_flag("--headless", options->headless, "render without a screen; ends when the replays do");
-    command->add_option("--replay", options->replays, "recorded drawings: SVG, InkML, Quick-Draw lines, stroke lists");
-    command->add_option("--record", options->record, "folder for what visitors draw");
+    command->add_option("--replay", options->replays,
+                        "recorded drawings: traces, recordings of tablets, SVG, InkML, Quick-Draw lines, "
+                        "stroke lists");
+    command->add_option("--record", options->record, "folder for traces of what visitors draw");
     command->add_option("--shots", options->shots, "folder for numbered pictures");
     command->add_option("--language", options->language, "en, fr or de");
     command->add_option("--jobs", options->jobs, "search threads")->check(CLI::PositiveNumber);

@@ -43,6 +43,17 @@ ui::InkFrame fit_drawing(const core::Drawing& drawing, double width, double heig
     return frame;
 }
 
+/// From the sheet to the screen.
+void move_by(std::vector<ui::InkPiece>& pieces, const ui::Rect& sheet) {
+    const auto x = static_cast<float>(sheet.x), y = static_cast<float>(sheet.y);
+    for (ui::InkPiece& piece : pieces) {
+        piece.x0 += x;
+        piece.x1 += x;
+        piece.y0 += y;
+        piece.y1 += y;
+    }
+}
+
 ui::SizePx sheet_size(const ui::FindLayout& layout) {
     return {std::max(1, static_cast<int>(layout.sheet.width)), std::max(1, static_cast<int>(layout.sheet.height))};
 }
@@ -116,44 +127,72 @@ void FindMode::pointer(const ui::WindowEvent& event) {
     using Kind = ui::WindowEvent::Kind;
     const bool on_sheet = layout_.sheet.contains(event.x, event.y) && !showing_notice();
     pointer_px_ = core::Point{event.x, event.y};
+    eraser_near_ = event.pen && event.eraser && event.kind != Kind::Leave;
     if (event.kind == Kind::Down) {
-        if (!on_sheet) {
-            if (const auto intent = touch_.press(targets(event.time_us), event.x, event.y)) act(*intent, event.time_us);
-        } else if (tool_ == ui::Tool::Pen) {
-            if (sketch_.empty() && !sketch_.can_undo()) drawing_start_us_ = event.time_us;
-            begin_stroke(sample_of(event), event.time_us);
-        } else {
-            pen_ = Pen::Erasing;
-            erase(event);
-        }
+        touch(event, on_sheet);
     } else if (event.kind == Kind::Move) {
         touch_.move(event.x, event.y);
-        if (pen_ == Pen::Drawing) extend_stroke(sample_of(event));
-        if (pen_ == Pen::Erasing) erase(event);
+        draw_or_erase(event);
     } else if (event.kind == Kind::Up) {
-        if (pen_ == Pen::Drawing) {
-            extend_stroke(sample_of(event));
-            end_stroke(event.time_us);
-        } else if (pen_ == Pen::Erasing) {
-            pen_ = Pen::Up;
-            sketch_.end_erasing();
-            sheet_changed(event.time_us);
-        }
+        draw_or_erase(event);
+        if (pen_ == Pen::Drawing) end_stroke(event.time_us);
+        if (pen_ == Pen::Erasing) end_erasing(event.time_us);
         touch_.move(event.x, event.y);
         if (const auto intent = touch_.release()) act(*intent, event.time_us);
         if (event.finger) pointer_px_.reset();
+    } else if (event.kind == Kind::TakeBack) {
+        take_back(event.time_us);
+    } else if (event.kind == Kind::Leave) {
+        pointer_px_.reset();
     }
+    pen_hovers_ = event.pen && pen_ == Pen::Up && pointer_px_.has_value();
+    if (pen_ != Pen::Drawing) ahead_.reset();
+}
+
+void FindMode::touch(const ui::WindowEvent& event, bool on_sheet) {
+    if (!on_sheet) {
+        if (const auto intent = touch_.press(targets(event.time_us), event.x, event.y)) act(*intent, event.time_us);
+    } else if (event.eraser || tool_ == ui::Tool::Eraser) {
+        pen_ = Pen::Erasing;
+        erase(event);
+    } else {
+        if (sketch_.empty() && !sketch_.can_undo()) drawing_start_us_ = event.time_us;
+        begin_stroke(sample_of(event), event.time_us);
+    }
+}
+
+void FindMode::draw_or_erase(const ui::WindowEvent& event) {
+    if (pen_ == Pen::Drawing) extend_stroke(sample_of(event));
+    if (pen_ == Pen::Erasing) erase(event);
+}
+
+void FindMode::look_ahead(const std::optional<ui::WindowEvent>& predicted) {
+    ahead_.reset();
+    if (predicted && sketch_.open()) ahead_ = sample_of(*predicted);
 }
 
 void FindMode::cancel_pointer(std::int64_t now_us) {
     touch_.cancel();
     pointer_px_.reset();
+    ahead_.reset();
+    pen_hovers_ = eraser_near_ = false;
     if (pen_ == Pen::Drawing) end_stroke(now_us);
-    if (pen_ == Pen::Erasing) {
-        pen_ = Pen::Up;
-        sketch_.end_erasing();
-        sheet_changed(now_us);
-    }
+    if (pen_ == Pen::Erasing) end_erasing(now_us);
+}
+
+void FindMode::end_erasing(std::int64_t now_us) {
+    pen_ = Pen::Up;
+    sketch_.end_erasing();
+    sheet_changed(now_us);
+}
+
+void FindMode::take_back(std::int64_t now_us) {
+    touch_.cancel();
+    pointer_px_.reset();
+    if (pen_ == Pen::Up) return;
+    pen_ = Pen::Up;
+    sketch_.take_back();
+    sheet_changed(now_us);
 }
 
 void FindMode::erase(const ui::WindowEvent& event) {
@@ -371,11 +410,22 @@ int FindMode::update_ink() {
     return ink_layer_.update(ink());
 }
 
+std::vector<ui::InkPiece> FindMode::ahead_ink() const {
+    std::vector<ui::InkPiece> pieces;
+    if (!ahead_ || !sketch_.open()) return pieces;
+    const std::vector<core::PenSample>& samples = sketch_.drawing().strokes.back().samples;
+    std::vector<core::PenSample> end(samples.end() - std::min<std::ptrdiff_t>(2, std::ssize(samples)), samples.end());
+    end.push_back(*ahead_);
+    ui::append_ink_span(end, end.size() - 2, frame_, layout_.ink_width_px, pieces);
+    move_by(pieces, layout_.sheet);
+    return pieces;
+}
+
 ui::FindState FindMode::state(std::int64_t now_us) const {
     ui::FindState s;
     const ui::Strings& words = languages_[options_.language];
     s.language = options_.language;
-    s.tool = tool_;
+    s.tool = eraser_near_ || pen_ == Pen::Erasing ? ui::Tool::Eraser : tool_;
     s.can_undo = sketch_.can_undo();
     s.can_redo = sketch_.can_redo();
     s.sheet_empty = sketch_.empty();
@@ -394,12 +444,12 @@ ui::FindState FindMode::state(std::int64_t now_us) const {
     s.inked = ink_layer_.inked();
     s.ink_revision = sketch_.revision();
     s.wet_ink = ui::InkLayer::wet_end(ink());
-    for (ui::InkPiece& piece : s.wet_ink) {
-        piece.x0 += static_cast<float>(layout_.sheet.x);
-        piece.x1 += static_cast<float>(layout_.sheet.x);
-    }
-    if (tool_ == ui::Tool::Eraser && pointer_px_ && layout_.sheet.contains(pointer_px_->x, pointer_px_->y)) {
+    move_by(s.wet_ink, layout_.sheet);
+    s.ahead_ink = ahead_ink();
+    if (s.tool == ui::Tool::Eraser && pointer_px_ && layout_.sheet.contains(pointer_px_->x, pointer_px_->y)) {
         s.eraser_px = pointer_px_;
+    } else if (pen_hovers_) {
+        s.pen_px = pointer_px_;
     }
     s.pressed = touch_.pressed();
     s.pressed_item = touch_.pressed_item();

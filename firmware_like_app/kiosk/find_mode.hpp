@@ -37,8 +37,10 @@ class FindMode {
 
     /// Another size of screen: everything is laid out and drawn anew, the drawing keeps its place on the sheet.
     void resize(ui::SizePx screen);
-    /// A mouse or a finger.
+    /// A mouse, a finger or a pen. The eraser end of a pen erases whatever tool is chosen.
     void pointer(const ui::WindowEvent& event);
+    /// Where the pen will be when the frame is seen: shown as ink ahead of it, never part of a stroke.
+    void look_ahead(const std::optional<ui::WindowEvent>& predicted);
     /// The pointer is gone (focus lost): a stroke ends where it is, a pressed control does nothing.
     void cancel_pointer(std::int64_t now_us);
 
@@ -96,9 +98,14 @@ class FindMode {
     [[nodiscard]] bool wash_is_current() const;
     [[nodiscard]] double wash_opacity(std::size_t part, std::int64_t now_us) const;
     [[nodiscard]] ui::InkLayer::Ink ink() const;
+    [[nodiscard]] std::vector<ui::InkPiece> ahead_ink() const;
     [[nodiscard]] core::PenSample sample_of(const ui::WindowEvent& event) const;
     [[nodiscard]] std::vector<ui::BoardTouch::Target> targets(std::int64_t now_us) const;
     void erase(const ui::WindowEvent& event);
+    void touch(const ui::WindowEvent& event, bool on_sheet);
+    void draw_or_erase(const ui::WindowEvent& event);
+    void end_erasing(std::int64_t now_us);
+    void take_back(std::int64_t now_us);
 
     const ui::FontSet& fonts_;
     const std::vector<ui::Strings>& languages_;
@@ -117,6 +124,8 @@ class FindMode {
     ui::BoardTouch touch_;
     enum class Pen { Up, Drawing, Erasing } pen_ = Pen::Up;
     std::optional<core::Point> pointer_px_;
+    bool pen_hovers_ = false, eraser_near_ = false;
+    std::optional<core::PenSample> ahead_;
     std::optional<std::int64_t> drawing_start_us_;
     std::int64_t pen_up_us_ = 0, pen_down_us_ = 0;
     bool notice_left_ = false, cleared_ = false;

@@ -35,11 +35,13 @@ std::string file_part(const std::string& name) {
 
 class Loop {
   public:
-    Loop(const KioskOptions& options, std::vector<NamedDrawing> replays, Surface& surface, FindMode& find)
+    Loop(const KioskOptions& options, std::vector<NamedDrawing> replays, Surface& surface, FindMode& find,
+         PenDesk& pens)
         : options_(options),
           replays_(std::move(replays)),
           surface_(surface),
           find_(find),
+          pens_(pens),
           player_(replays_, options.headless ? 0 : kReplayRest_us),
           recorder_(options.record) {
         report_.renderer = ui::renderer_name();
@@ -49,7 +51,7 @@ class Loop {
         if (replays_.empty() && options_.headless) return still_picture();
         start_us_ = surface_.now_us();
         while (!ended_ && failure_.has_value()) {
-            for (const ui::WindowEvent& event : surface_.poll()) handle(event);
+            point();
             replay();
             find_.update(surface_.now_us());
             find_.update_ink();
@@ -77,6 +79,18 @@ class Loop {
         return std::move(report_);
     }
 
+    /// All that pointed since the last frame.
+    void point() {
+        const std::vector<ui::WindowEvent> events =
+            pens_.merge(surface_.poll(), surface_.size(), find_.layout().sheet, surface_.now_us());
+        for (const ui::WindowEvent& event : events) handle(event);
+        find_.look_ahead(pens_.predicted());
+        for (std::string& problem : pens_.take_problems()) {
+            if (report_.problems.size() < 100) report_.problems.push_back(std::move(problem));
+        }
+        report_.pen_reports_lost = pens_.lost();
+    }
+
     void handle(const ui::WindowEvent& event) {
         using Kind = ui::WindowEvent::Kind;
         switch (event.kind) {
@@ -99,6 +113,8 @@ class Loop {
             case Kind::Down:
             case Kind::Move:
             case Kind::Up:
+            case Kind::Leave:
+            case Kind::TakeBack:
                 if (player_.ended()) pointer(event);
                 break;
         }
@@ -113,6 +129,7 @@ class Loop {
     /// Keeps what a visitor drew when the sheet is emptied or the kiosk ends.
     void record() {
         if (!find_.sketch().empty()) last_drawing_ = find_.sketch().drawing();
+        if (!last_drawing_.empty()) pens_.mark("the sheet was emptied");
         const core::Result<void> kept = recorder_.keep(std::exchange(last_drawing_, {}));
         if (!kept && failure_) failure_ = kept;
     }
@@ -215,6 +232,7 @@ class Loop {
     std::vector<NamedDrawing> replays_;
     Surface& surface_;
     FindMode& find_;
+    PenDesk& pens_;
     ReplayPlayer player_;
     DrawingRecorder recorder_;
     core::Drawing last_drawing_;
@@ -235,6 +253,15 @@ core::Result<std::unique_ptr<Surface>> open_surface(const KioskOptions& options)
     window.size = options.size.value_or(kDefaultSize);
     window.full_screen = !options.windowed;
     return open_window_surface(window);
+}
+
+core::Result<std::unique_ptr<PenDesk>> open_pens(const KioskOptions& options, input::DeviceNumbers& numbers) {
+    PenDeskOptions desk;
+    desk.pipeline = options.pens;
+    desk.tablet_changed = options.tablet_changed;
+    if (options.headless) return PenDesk::create(nullptr, numbers, std::move(desk));
+    if (!options.record.empty()) desk.trace = next_free(options.record, "pointers");
+    return PenDesk::create(options.tablets ? open_desk_tablets(numbers) : nullptr, numbers, std::move(desk));
 }
 
 core::Result<void> make_folder(const std::filesystem::path& folder) {
@@ -280,7 +307,10 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searc
     core::Result<std::unique_ptr<FindMode>> find =
         FindMode::create(*fonts, *languages, searcher, find_options, (*surface)->size());
     if (!find) return core::unexpected(find.error());
-    return Loop(options, std::move(replays), **surface, **find).run();
+    input::DeviceNumbers numbers;
+    core::Result<std::unique_ptr<PenDesk>> pens = open_pens(options, numbers);
+    if (!pens) return core::unexpected(pens.error());
+    return Loop(options, std::move(replays), **surface, **find, **pens).run();
 }
 
 }  // namespace app

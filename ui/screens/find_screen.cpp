@@ -74,12 +74,14 @@ class Drawer {
                          {inked.x / l_.sheet.width, inked.y / l_.sheet.height, inked.width / l_.sheet.width,
                           inked.height / l_.sheet.height});
         }
+        list_.ink(state_.ahead_ink, palette::kInkAhead, l_.sheet);
         list_.ink(state_.wet_ink, palette::kInk, l_.sheet);
-        if (state_.eraser_px) {
-            const double d = l_.px(24);
-            list_.box({state_.eraser_px->x - d / 2, state_.eraser_px->y - d / 2, d, d}, d / 2, kNone, palette::kInk,
-                      l_.px(2));
-        }
+        if (state_.eraser_px) ring(*state_.eraser_px, 24);
+    }
+
+    /// Above all else: a pen that hovers over the board has its place there, too.
+    void pen() {
+        if (state_.pen_px && !state_.eraser_px) ring(*state_.pen_px, 10);
     }
 
     /// Under the sheet, whose shadow falls on it.
@@ -116,6 +118,11 @@ class Drawer {
     }
 
   private:
+    void ring(core::Point centre, double design_px) {
+        const double d = l_.px(design_px);
+        list_.box({centre.x - d / 2, centre.y - d / 2, d, d}, d / 2, kNone, palette::kInk, l_.px(2));
+    }
+
     void sheet_hint() {
         const double cx = l_.sheet.centre_x(), cy = l_.sheet.height * 0.5;
         const double width = l_.sheet.width - l_.px(96);
@@ -286,6 +293,7 @@ DrawList FindScreen::draw(const FindState& state, const FindLayout& layout) cons
     drawer.cards();
     drawer.tools();
     draw_footer(list, *fonts_, *languages_, state.language, layout, state.pressed, state.pressed_item);
+    drawer.pen();
     return list;
 }
 

@@ -40,7 +40,9 @@ struct FindState {
     PictureId ink{};
     Rect inked;  ///< box of all ink, pixels from the sheet's corner
     std::vector<InkPiece> wet_ink;
+    std::vector<InkPiece> ahead_ink;       ///< where the pen will be in the next frame
     std::optional<core::Point> eraser_px;  ///< the ring, while erasing
+    std::optional<core::Point> pen_px;     ///< where a pen hovers that lies on a tablet
     std::optional<Control> pressed;
     std::size_t pressed_item = 0;    ///< which language
     std::uint64_t ink_revision = 0;  ///< another number when the ink picture changed

@@ -225,3 +225,72 @@ TEST_CASE("a notice covers the sheet until the visitor starts drawing", "[find m
     kiosk.stroke(900, 200, 1000, 250);
     CHECK(kiosk.strokes() == 1);
 }
+
+namespace {
+
+/// What a pen does, as the desk of pens gives it.
+ui::WindowEvent pen(Kiosk& kiosk, Kind kind, double x, double y, bool eraser = false, double pressure = 0.5) {
+    kiosk.now_us += 8'000;
+    return {kind, x, y, pressure, kiosk.now_us, false, true, eraser};
+}
+
+}  // namespace
+
+TEST_CASE("a pen draws with its pressure, and its other end erases whatever tool is chosen", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    kiosk.find->pointer(pen(kiosk, Kind::Move, 800, 300));
+    CHECK(kiosk.state().pen_px == core::Point{800, 300});
+    kiosk.find->pointer(pen(kiosk, Kind::Down, 800, 300, false, 0.25));
+    kiosk.find->pointer(pen(kiosk, Kind::Move, 900, 300, false, 0.75));
+    CHECK_FALSE(kiosk.state().pen_px);
+    kiosk.find->pointer(pen(kiosk, Kind::Up, 900, 300, false, 0.0));
+    REQUIRE(kiosk.strokes() == 1);
+    const std::vector<core::PenSample>& samples = kiosk.find->sketch().drawing().strokes[0].samples;
+    CHECK(samples.front().pressure == 0.25);
+    CHECK(samples.back().pressure == 0.75);
+
+    kiosk.find->pointer(pen(kiosk, Kind::Move, 850, 320, true));
+    CHECK(kiosk.state().tool == ui::Tool::Eraser);  // shown as chosen while it is near
+    CHECK(kiosk.state().eraser_px);
+    kiosk.find->pointer(pen(kiosk, Kind::Down, 850, 305, true));
+    kiosk.find->pointer(pen(kiosk, Kind::Up, 850, 305, true));
+    CHECK(kiosk.strokes() == 0);
+    kiosk.find->pointer(pen(kiosk, Kind::Leave, 850, 305));
+    CHECK(kiosk.state().tool == ui::Tool::Pen);
+    CHECK_FALSE(kiosk.state().eraser_px);
+    CHECK_FALSE(kiosk.state().pen_px);
+}
+
+TEST_CASE("what a palm drew or erased leaves no trace, also not in undo", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    kiosk.event(Kind::Down, 700, 300);
+    kiosk.event(Kind::Move, 800, 300);
+    kiosk.event(Kind::TakeBack, 800, 300);
+    CHECK(kiosk.strokes() == 0);
+    CHECK_FALSE(kiosk.state().can_undo);
+    CHECK_FALSE(kiosk.state().can_redo);
+
+    kiosk.stroke(700, 300, 900, 300);
+    kiosk.tap(kiosk.layout().tools[1]);
+    kiosk.event(Kind::Down, 800, 300);
+    CHECK(kiosk.strokes() == 0);
+    kiosk.event(Kind::TakeBack, 800, 300);
+    CHECK(kiosk.strokes() == 1);
+    kiosk.tap(kiosk.layout().tools[2]);  // undoes the stroke, not the erasing
+    CHECK(kiosk.strokes() == 0);
+}
+
+TEST_CASE("ink ahead of the pen is shown, never kept, and ends with the stroke", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    kiosk.find->pointer(pen(kiosk, Kind::Down, 800, 300));
+    kiosk.find->pointer(pen(kiosk, Kind::Move, 820, 300));
+    kiosk.find->look_ahead(pen(kiosk, Kind::Move, 836, 300));
+    REQUIRE_FALSE(kiosk.state().ahead_ink.empty());
+    CHECK(kiosk.state().ahead_ink.back().x1 == Approx(836));
+    CHECK(kiosk.find->sketch().drawing().strokes[0].samples.size() == 2);
+    kiosk.find->look_ahead({});
+    CHECK(kiosk.state().ahead_ink.empty());
+    kiosk.find->look_ahead(pen(kiosk, Kind::Move, 836, 300));
+    kiosk.find->pointer(pen(kiosk, Kind::Up, 830, 300));
+    CHECK(kiosk.state().ahead_ink.empty());
+}
