@@ -48,21 +48,21 @@ core::Result<std::vector<NamedDrawing>> read_replays(const std::vector<std::stri
 std::unique_ptr<SketchSearcher> open_collection(const KioskCommandOptions& options, KioskOptions& kiosk) {
     constexpr int kBest = 20;
     if (options.database.empty()) {
-        kiosk.notice = ui::Notice::NoModels;
+        kiosk.collection = CollectionState::Empty;
         return nullptr;
     }
     core::Result<std::unique_ptr<SketchSearcher>> searcher =
         SketchSearcher::open(options.database, options.jobs, kBest);
     if (!searcher) {
         std::fprintf(stderr, "croquis: %s\n", searcher.error().sentence().c_str());
-        kiosk.notice = searcher.error().code == core::ErrorCode::FileMissing ? ui::Notice::CollectionMissing
-                                                                             : ui::Notice::CollectionDamaged;
+        kiosk.collection =
+            searcher.error().code == core::ErrorCode::FileMissing ? CollectionState::Missing : CollectionState::Damaged;
         return nullptr;
     }
     for (const db::Damage& d : (*searcher)->collection().damaged())
         std::fprintf(stderr, "croquis: %s\n", d.sentence().c_str());
     if ((*searcher)->collection().models().empty()) {
-        kiosk.notice = ui::Notice::NoModels;
+        kiosk.collection = CollectionState::Empty;
         return nullptr;
     }
     return std::move(*searcher);

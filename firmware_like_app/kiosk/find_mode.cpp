@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "firmware_like_app/kiosk/placing.hpp"
 #include "ui/draw/coverage.hpp"
 
 namespace app {
@@ -18,29 +19,6 @@ constexpr double kEraserReach_px = 12;  // of the design: half the ring
 
 ui::PictureId wash_id(std::size_t part) {
     return ui::PictureId{kFirstWash + static_cast<int>(part)};
-}
-
-/// Largest placement of the drawing on a sheet of that size that keeps the margin, centred.
-ui::InkFrame fit_drawing(const core::Drawing& drawing, double width, double height) {
-    double left = 0, right = 0, top = 0, bottom = 0;
-    bool first = true;
-    for (const core::Stroke& stroke : drawing.strokes) {
-        for (const core::PenSample& s : stroke.samples) {
-            left = first ? s.x : std::min(left, s.x);
-            right = first ? s.x : std::max(right, s.x);
-            top = first ? s.y : std::min(top, s.y);
-            bottom = first ? s.y : std::max(bottom, s.y);
-            first = false;
-        }
-    }
-    const double margin = kReplayMargin * std::min(width, height);
-    const double across = std::max(right - left, 1e-9), down = std::max(bottom - top, 1e-9);
-    ui::InkFrame frame;
-    frame.scale = std::min((width - 2 * margin) / across, (height - 2 * margin) / down);
-    if (right - left < 1e-9 && bottom - top < 1e-9) frame.scale = 1;  // a dot
-    frame.offset_x = width / 2 - (left + right) / 2 * frame.scale;
-    frame.offset_y = height / 2 - (top + bottom) / 2 * frame.scale;
-    return frame;
 }
 
 /// From the sheet to the screen.
@@ -81,14 +59,12 @@ FindMode::FindMode(const ui::FontSet& fonts, const std::vector<ui::Strings>& lan
       options_(options),
       layout_(ui::find_layout(screen, options.hand)),
       screen_(fonts, languages),
-      notice_screen_(fonts, languages),
       painter_(std::move(painter)),
       ink_layer_(std::move(ink)),
       pictures_(std::move(pictures)) {
     if (searcher != nullptr) worker_ = std::make_unique<SearchWorker>(*searcher, options.every_frame_seen);
     ink_layer_.resize(sheet_size(layout_));
     painter_.set_picture(kInkPicture, &ink_layer_.texture());
-    notice_left_ = options.notice_left;
     start_over_frame();
 }
 
@@ -125,7 +101,7 @@ core::PenSample FindMode::sample_of(const ui::WindowEvent& event) const {
 
 void FindMode::pointer(const ui::WindowEvent& event) {
     using Kind = ui::WindowEvent::Kind;
-    const bool on_sheet = layout_.sheet.contains(event.x, event.y) && !showing_notice();
+    const bool on_sheet = layout_.sheet.contains(event.x, event.y);
     pointer_px_ = core::Point{event.x, event.y};
     eraser_near_ = event.pen && event.eraser && event.kind != Kind::Leave;
     if (event.kind == Kind::Down) {
@@ -224,7 +200,31 @@ void FindMode::start_sheet_for(const core::Drawing& drawing) {
     sketch_.forget();
     pen_ = Pen::Up;
     drop_results();
-    frame_ = fit_drawing(drawing, layout_.sheet.width, layout_.sheet.height);
+    frame_ = fit_drawing(drawing, layout_.sheet.width, layout_.sheet.height, kReplayMargin);
+}
+
+void FindMode::set_hand(ui::Hand hand) {
+    if (hand != options_.hand) relayout(layout_.screen, hand);
+}
+
+void FindMode::wipe(std::size_t language, ui::Hand hand) {
+    touch_.cancel();
+    pen_ = Pen::Up;
+    pen_hovers_ = eraser_near_ = false;
+    ahead_.reset();
+    pointer_px_.reset();
+    drawing_start_us_.reset();
+    cleared_ = false;
+    opened_card_.reset();
+    tool_ = ui::Tool::Pen;
+    sketch_.forget();
+    drop_results();
+    pictures_.reset(painter_);
+    rail_.settle();
+    search_failure_.clear();
+    options_.language = language;
+    set_hand(hand);
+    start_over_frame();
 }
 
 void FindMode::act(const ui::Intent& intent, std::int64_t now_us) {
@@ -258,9 +258,11 @@ void FindMode::act(const ui::Intent& intent, std::int64_t now_us) {
         case ui::Control::HandSwitch:
             relayout(layout_.screen, options_.hand == ui::Hand::Right ? ui::Hand::Left : ui::Hand::Right);
             break;
-        case ui::Control::StartDrawing:
-            notice_left_ = true;
+        case ui::Control::Card:
+            opened_card_ = intent.item;
             break;
+        default:
+            break;  // of other screens
     }
 }
 
@@ -431,7 +433,7 @@ ui::FindState FindMode::state(std::int64_t now_us) const {
     s.sheet_empty = sketch_.empty();
     s.sheet_cleared = cleared_ && sketch_.empty();
     const bool nothing = !answer_ || answer_->answer.message_key.empty();
-    s.board_message = words[nothing ? ui::board_key(options_.notice) : answer_->answer.message_key];
+    s.board_message = words[nothing ? options_.board_key : answer_->answer.message_key];
     s.cards = rail_.slots(now_us);
     for (std::size_t i = 0; i < wash_.size(); ++i) {
         const ui::Rect& r = wash_[i].in_sheet;
@@ -457,12 +459,11 @@ ui::FindState FindMode::state(std::int64_t now_us) const {
 }
 
 std::vector<ui::BoardTouch::Target> FindMode::targets(std::int64_t now_us) const {
-    if (showing_notice()) return notice_screen_.targets(options_.language, layout_);
     return screen_.targets(state(now_us), layout_);
 }
 
 FindMode::Shown FindMode::shown_at(std::int64_t now_us) const {
-    return {state(now_us), layout_.screen, options_.hand, showing_notice(), answer_ ? answer_->ticket : 0};
+    return {state(now_us), layout_.screen, options_.hand, answer_ ? answer_->ticket : 0};
 }
 
 bool FindMode::changed(std::int64_t now_us) const {
@@ -471,10 +472,7 @@ bool FindMode::changed(std::int64_t now_us) const {
 
 void FindMode::draw(std::int64_t now_us, bool flip) {
     shown_ = shown_at(now_us);
-    const ui::DrawList list = showing_notice() ? notice_screen_.draw(options_.notice, options_.language, layout_,
-                                                                     touch_.pressed(), touch_.pressed_item())
-                                               : screen_.draw(shown_->state, layout_);
-    painter_.paint(list, layout_.screen, flip);
+    painter_.paint(screen_.draw(shown_->state, layout_), layout_.screen, flip);
 }
 
 }  // namespace app

@@ -12,9 +12,9 @@
 #include "firmware_like_app/kiosk/pen_desk.hpp"
 #include "firmware_like_app/kiosk/replay_player.hpp"
 #include "firmware_like_app/kiosk/searcher.hpp"
+#include "firmware_like_app/kiosk/station.hpp"
 #include "ui/gl/context.hpp"
 #include "ui/screens/find_layout.hpp"
-#include "ui/screens/notice_screen.hpp"
 
 namespace app {
 
@@ -30,7 +30,10 @@ struct KioskOptions {
     std::function<void(const TabletChange&)> tablet_changed;  ///< called between frames
     std::string language = "en";                              ///< code of a language file
     ui::Hand hand = ui::Hand::Right;
-    ui::Notice notice = ui::Notice::None;   ///< a calm screen to start with, when there is no collection
+    CollectionState collection = CollectionState::Ready;  ///< other than ready: a calm screen says so
+    StationTimes times;
+    bool attract = true;                    ///< false: an empty sheet waits for visitors
+    bool expect_tablet = false;             ///< say so when none is there; one that was there once is always expected
     std::int64_t search_every_us = 80'000;  ///< while the pen draws, in a window; headless searches after strokes
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/screens/widgets.hpp"
+
 namespace ui {
 namespace {
 
@@ -33,15 +35,6 @@ Type type_of(const FindLayout& l) {
     t.switched = style(Face::Medium, px(20 - 2 * c));
     t.chosen = style(Face::SemiBold, px(20 - 2 * c));
     return t;
-}
-
-/// Distance of the baseline below the middle that centres capitals and figures.
-double cap_drop(const TextStyle& s) {
-    return s.size_px * 0.364;
-}
-
-Rect scaled(const Rect& r, double by) {
-    return {r.centre_x() - r.width * by / 2, r.centre_y() - r.height * by / 2, r.width * by, r.height * by};
 }
 
 /// Lines of text centred on a point.
@@ -170,7 +163,8 @@ class Drawer {
         const double line = std::max(1.0, std::round(l_.px(1)));
         list_.box({r.x - line, r.y - line, r.width + 2 * line, r.height + 2 * line}, card_radius(i) + line, kNone,
                   palette::kEdge.faded(a), line);
-        list_.box(r, card_radius(i), palette::kSheet.faded(a));
+        const bool down = state_.pressed == Control::Card && state_.pressed_item == i;
+        list_.box(r, card_radius(i), (down ? palette::kWell : palette::kSheet).faded(a));
         list_.picture(face.picture, l_.card_pictures[i], opacity);
         if (i == 0) {
             best_text(face, a);
@@ -304,6 +298,9 @@ std::vector<BoardTouch::Target> FindScreen::targets(const FindState& state, cons
     if (state.can_undo) all.push_back({Control::Undo, 0, layout.tools[2]});
     if (state.can_redo) all.push_back({Control::Redo, 0, layout.tools[3]});
     if (!state.sheet_empty) all.push_back({Control::New, 0, layout.tools[4]});
+    for (std::size_t i = 0; i < kCardCount; ++i) {
+        if (state.cards[i].now) all.push_back({Control::Card, i, layout.cards[i]});
+    }
     if (state.sheet_cleared) all.push_back({Control::UndoClear, 0, Drawer::undo_clear_rect(layout)});
     return all;
 }

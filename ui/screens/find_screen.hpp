@@ -25,7 +25,21 @@ struct WashPart {
 };
 
 /// What can be touched on the board.
-enum class Control { Pen, Eraser, Undo, Redo, New, Language, HandSwitch, UndoClear, StartDrawing };
+enum class Control {
+    Pen,
+    Eraser,
+    Undo,
+    Redo,
+    New,
+    Language,
+    HandSwitch,
+    UndoClear,
+    Card,  ///< item: its place on the rail
+    // of the other screens
+    StartDrawing,
+    KeepDrawing,
+    StartOver,
+};
 
 /// Everything that Find shows, as values.
 struct FindState {
@@ -52,7 +66,7 @@ struct FindState {
 /// What the visitor wants.
 struct Intent {
     Control control = Control::Pen;
-    std::size_t item = 0;  ///< index of the language
+    std::size_t item = 0;  ///< which language, card …
 };
 
 /// Touches on the board. Undo and redo act on the press; everything else on release inside the target.

@@ -202,28 +202,67 @@ TEST_CASE("a frame is only due when something changed", "[find mode]") {
     CHECK_FALSE(kiosk.find->changed(kiosk.now_us));
 }
 
-TEST_CASE("a sheet without a collection promises no models", "[find mode]") {
-    app::FindOptions options;
-    options.notice = ui::Notice::CollectionMissing;
-    options.notice_left = true;
-    Kiosk without(nullptr, options), with(nullptr, {});
-    CHECK_FALSE(without.find->showing_notice());
-    without.stroke(900, 200, 1000, 250);
-    CHECK(without.strokes() == 1);
-    CHECK(without.find->state(without.now_us).board_message != with.find->state(with.now_us).board_message);
+TEST_CASE("the board's words are those that the shell gives", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    const std::string hint = kiosk.state().board_message;
+    kiosk.find->set_board_key("no_collection_board");
+    CHECK(kiosk.state().board_message != hint);
 }
 
-TEST_CASE("a notice covers the sheet until the visitor starts drawing", "[find mode]") {
-    app::FindOptions options;
-    options.notice = ui::Notice::NoModels;
-    Kiosk kiosk(nullptr, options);
-    kiosk.stroke(900, 200, 1000, 250);
+TEST_CASE("a tap on a card opens it, and only where there is one", "[find mode]") {
+    test::FigureSearcher searcher(test::make_animals());
+    Kiosk kiosk(&searcher);
+    kiosk.tap(kiosk.layout().cards[2]);
+    CHECK_FALSE(kiosk.find->take_opened_card());
+    kiosk.stroke(700, 300, 1100, 310);
+    kiosk.stroke(1100, 310, 1100, 600);
+    kiosk.find->search_and_wait(kiosk.now_us);
+    kiosk.find->settle(false);
+    kiosk.tap(kiosk.layout().cards[2]);
+    CHECK(kiosk.find->take_opened_card() == std::optional<std::size_t>(2));
+    CHECK_FALSE(kiosk.find->take_opened_card());
+    CHECK(kiosk.strokes() == 2);
+}
+
+TEST_CASE("a wipe leaves nothing: no ink, no history, no cards, no language, no hand, no tool", "[find mode]") {
+    test::FigureSearcher searcher(test::make_animals());
+    const auto frame = [](Kiosk& k) {
+        k.find->update_ink();
+        ui::Target target({1280, 800}, ui::PixelFormat::Colour);
+        target.bind();
+        k.find->draw(k.now_us, false);
+        return target.read_back().pixels;
+    };
+    const std::vector<std::uint8_t> untouched = [&] {
+        Kiosk k(&searcher);
+        return frame(k);
+    }();
+    const auto is_untouched = [&](Kiosk& k) { return frame(k) == untouched; };
+    Kiosk kiosk(&searcher);
+    kiosk.stroke(700, 300, 1100, 310);
+    kiosk.stroke(1100, 310, 1100, 600);
+    kiosk.find->search_and_wait(kiosk.now_us);
+    kiosk.find->settle(true);
+    kiosk.tap(kiosk.layout().hand_switch);
+    kiosk.find->set_language(2);
+    kiosk.tap(kiosk.layout().tools[1]);
+    kiosk.event(Kind::Down, 300, 300);  // still erasing
+    CHECK(kiosk.find->has_work());
+    CHECK_FALSE(is_untouched(kiosk));
+
+    kiosk.find->wipe(0, ui::Hand::Right);
+    CHECK_FALSE(kiosk.find->has_work());
+    CHECK_FALSE(kiosk.state().can_undo);
+    CHECK_FALSE(kiosk.state().can_redo);
+    CHECK(kiosk.find->answer() == nullptr);
+    CHECK(kiosk.find->hand() == ui::Hand::Right);
+    CHECK(kiosk.find->language() == 0);
+    CHECK(is_untouched(kiosk));
+    kiosk.tap(kiosk.layout().tools[2]);  // undo brings nothing back
     CHECK(kiosk.strokes() == 0);
-    CHECK(kiosk.find->showing_notice());
-    kiosk.tap({560, 510, 160, 68});
-    CHECK_FALSE(kiosk.find->showing_notice());
-    kiosk.stroke(900, 200, 1000, 250);
-    CHECK(kiosk.strokes() == 1);
+    kiosk.now_us += 100'000;
+    kiosk.find->update(kiosk.now_us);
+    CHECK(is_untouched(kiosk));
 }
 
 namespace {

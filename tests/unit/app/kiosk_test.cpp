@@ -119,7 +119,7 @@ TEST_CASE("without a searcher the sheet still works, and notices are drawn", "[k
     const Folder folder;
     REQUIRE(app::run_kiosk(headless(folder.path), nullptr, {{"horse", test::make_horse_drawing()}}));
     app::KioskOptions options = headless(folder.path);
-    options.notice = ui::Notice::CollectionDamaged;
+    options.collection = app::CollectionState::Damaged;
     const auto report = app::run_kiosk(options, nullptr, {});
     REQUIRE(report);
     CHECK(report->replays[0].shots.size() == 1);
