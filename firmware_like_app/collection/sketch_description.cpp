@@ -2,6 +2,7 @@
 
 #include "core/silhouette/contour.hpp"
 #include "firmware_like_app/collection/stopwatch.hpp"
+#include "input/formats/any_ink.hpp"
 
 namespace app {
 
@@ -52,8 +53,24 @@ core::Result<SketchDescription> describe_sketch(const core::Sketch& sketch, cons
     return sketch.drawing ? describe_drawing(*sketch.drawing, parameters) : describe_image(*sketch.image, parameters);
 }
 
+core::Result<core::Sketch> read_any_sketch(const std::string& path_spec) {
+    core::Result<core::Sketch> sketch = core::read_sketch(path_spec);
+    if (sketch || sketch.error().code != core::ErrorCode::UnknownFormat) return sketch;
+    core::Result<core::Drawing> drawing = input::read_drawing_of_ink(path_spec);
+    if (!drawing && drawing.error().code == core::ErrorCode::UnknownFormat) {
+        return core::unexpected(core::ErrorCode::UnknownFormat,
+                                "this is no drawing that can be read; give PNG, BMP, JPEG, SVG, InkML, Quick-Draw "
+                                "NDJSON, a stroke list, a trace or a tablet's recording",
+                                path_spec);
+    }
+    if (!drawing) return core::unexpected(drawing.error());
+    core::Sketch out;
+    out.drawing = std::move(*drawing);
+    return out;
+}
+
 core::Result<SketchDescription> describe_file(const std::string& path_spec, const core::ShapeParameters& parameters) {
-    const core::Result<core::Sketch> sketch = core::read_sketch(path_spec);
+    const core::Result<core::Sketch> sketch = read_any_sketch(path_spec);
     if (!sketch) return core::unexpected(sketch.error());
     core::Result<SketchDescription> description = describe_sketch(*sketch, parameters);
     if (!description) {

@@ -27,6 +27,9 @@ struct SketchDescription {
 [[nodiscard]] core::Result<SketchDescription> describe_drawing(const core::Drawing& drawing,
                                                                const core::ShapeParameters& parameters = {});
 
+/// A picture, a drawing, or what a pen drew in a trace or a tablet's recording. UnknownFormat naming what can be read.
+[[nodiscard]] core::Result<core::Sketch> read_any_sketch(const std::string& path_spec);
+
 /// Reads and describes a file; the path stands in the error's `where`.
 [[nodiscard]] core::Result<SketchDescription> describe_file(const std::string& path_spec,
                                                             const core::ShapeParameters& parameters = {});

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/parallel.hpp"
-#include "core/exchange/sketch_reader.hpp"
 #include "firmware_like_app/collection/sketch_searcher.hpp"
 #include "firmware_like_app/commands/commands.hpp"
 #include "firmware_like_app/kiosk/kiosk.hpp"
+#include "input/formats/any_ink.hpp"
 
 namespace app {
 
@@ -37,14 +37,9 @@ std::optional<ui::SizePx> parse_size(const std::string& text) {
 core::Result<std::vector<NamedDrawing>> read_replays(const std::vector<std::string>& files) {
     std::vector<NamedDrawing> drawings;
     for (const std::string& file : files) {
-        core::Result<core::Sketch> sketch = core::read_sketch(file);
-        if (!sketch) return core::unexpected(sketch.error());
-        if (!sketch->drawing) {
-            return core::unexpected(
-                core::ErrorCode::UnknownFormat,
-                "a picture has no strokes to replay; give an SVG, InkML, Quick-Draw line or stroke list", file);
-        }
-        drawings.push_back({file, std::move(*sketch->drawing)});
+        core::Result<core::Drawing> drawing = input::read_drawing_of_ink(file);
+        if (!drawing) return core::unexpected(drawing.error());
+        drawings.push_back({file, std::move(*drawing)});
     }
     return drawings;
 }
@@ -53,21 +48,21 @@ core::Result<std::vector<NamedDrawing>> read_replays(const std::vector<std::stri
 std::unique_ptr<SketchSearcher> open_collection(const KioskCommandOptions& options, KioskOptions& kiosk) {
     constexpr int kBest = 20;
     if (options.database.empty()) {
-        kiosk.notice = ui::Notice::NoModels;
+        kiosk.collection = CollectionState::Empty;
         return nullptr;
     }
     core::Result<std::unique_ptr<SketchSearcher>> searcher =
         SketchSearcher::open(options.database, options.jobs, kBest);
     if (!searcher) {
         std::fprintf(stderr, "croquis: %s\n", searcher.error().sentence().c_str());
-        kiosk.notice = searcher.error().code == core::ErrorCode::FileMissing ? ui::Notice::CollectionMissing
-                                                                             : ui::Notice::CollectionDamaged;
+        kiosk.collection =
+            searcher.error().code == core::ErrorCode::FileMissing ? CollectionState::Missing : CollectionState::Damaged;
         return nullptr;
     }
     for (const db::Damage& d : (*searcher)->collection().damaged())
         std::fprintf(stderr, "croquis: %s\n", d.sentence().c_str());
     if ((*searcher)->collection().models().empty()) {
-        kiosk.notice = ui::Notice::NoModels;
+        kiosk.collection = CollectionState::Empty;
         return nullptr;
     }
     return std::move(*searcher);
@@ -163,8 +158,10 @@ void add_kiosk_command(CLI::App& cli, CommandState& state) {
     command->add_option("--size", options->size, "WIDTHxHEIGHT");
     command->add_flag("--windowed", options->windowed, "a framed window instead of the full screen");
     command->add_flag("--headless", options->headless, "render without a screen; ends when the replays do");
-    command->add_option("--replay", options->replays, "recorded drawings: SVG, InkML, Quick-Draw lines, stroke lists");
-    command->add_option("--record", options->record, "folder for what visitors draw");
+    command->add_option("--replay", options->replays,
+                        "recorded drawings: traces, recordings of tablets, SVG, InkML, Quick-Draw lines, "
+                        "stroke lists");
+    command->add_option("--record", options->record, "folder for traces of what visitors draw");
     command->add_option("--shots", options->shots, "folder for numbered pictures");
     command->add_option("--language", options->language, "en, fr or de");
     command->add_option("--jobs", options->jobs, "search threads")->check(CLI::PositiveNumber);

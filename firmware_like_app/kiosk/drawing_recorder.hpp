@@ -1,25 +1,28 @@
 #pragma once
-// Keeps what visitors draw, as files that can be replayed and queried again.
+// Keeps what visitors draw, as traces that can be replayed and queried again.
 
 #include <filesystem>
+#include <string>
 
 #include "core/base/result.hpp"
 #include "core/stroke/stroke.hpp"
 
 namespace app {
 
+/// The first of NAME-0001.trace, NAME-0002.trace … that the folder does not have.
+[[nodiscard]] std::filesystem::path next_free(const std::filesystem::path& folder, const std::string& name);
+
 class DrawingRecorder {
   public:
     /// An empty folder name keeps nothing.
     explicit DrawingRecorder(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// Writes the drawing as one Quick-Draw line (x, y, milliseconds for every stroke) to the next free
-    /// drawing-NNNN.ndjson. An empty drawing is passed over. ErrorCode::WriteFailed naming the file.
+    /// Writes the drawing (places, pressure and times, to the bit) to the next free drawing-NNNN.trace. An empty
+    /// drawing is passed over. ErrorCode::WriteFailed naming the file.
     [[nodiscard]] core::Result<void> keep(const core::Drawing& drawing);
 
   private:
     std::filesystem::path folder_;
-    int next_ = 1;
 };
 
 }  // namespace app

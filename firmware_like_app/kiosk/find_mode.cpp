@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "firmware_like_app/kiosk/placing.hpp"
 #include "ui/draw/coverage.hpp"
 
 namespace app {
@@ -20,27 +21,15 @@ ui::PictureId wash_id(std::size_t part) {
     return ui::PictureId{kFirstWash + static_cast<int>(part)};
 }
 
-/// Largest placement of the drawing on a sheet of that size that keeps the margin, centred.
-ui::InkFrame fit_drawing(const core::Drawing& drawing, double width, double height) {
-    double left = 0, right = 0, top = 0, bottom = 0;
-    bool first = true;
-    for (const core::Stroke& stroke : drawing.strokes) {
-        for (const core::PenSample& s : stroke.samples) {
-            left = first ? s.x : std::min(left, s.x);
-            right = first ? s.x : std::max(right, s.x);
-            top = first ? s.y : std::min(top, s.y);
-            bottom = first ? s.y : std::max(bottom, s.y);
-            first = false;
-        }
+/// From the sheet to the screen.
+void move_by(std::vector<ui::InkPiece>& pieces, const ui::Rect& sheet) {
+    const auto x = static_cast<float>(sheet.x), y = static_cast<float>(sheet.y);
+    for (ui::InkPiece& piece : pieces) {
+        piece.x0 += x;
+        piece.x1 += x;
+        piece.y0 += y;
+        piece.y1 += y;
     }
-    const double margin = kReplayMargin * std::min(width, height);
-    const double across = std::max(right - left, 1e-9), down = std::max(bottom - top, 1e-9);
-    ui::InkFrame frame;
-    frame.scale = std::min((width - 2 * margin) / across, (height - 2 * margin) / down);
-    if (right - left < 1e-9 && bottom - top < 1e-9) frame.scale = 1;  // a dot
-    frame.offset_x = width / 2 - (left + right) / 2 * frame.scale;
-    frame.offset_y = height / 2 - (top + bottom) / 2 * frame.scale;
-    return frame;
 }
 
 ui::SizePx sheet_size(const ui::FindLayout& layout) {
@@ -70,14 +59,12 @@ FindMode::FindMode(const ui::FontSet& fonts, const std::vector<ui::Strings>& lan
       options_(options),
       layout_(ui::find_layout(screen, options.hand)),
       screen_(fonts, languages),
-      notice_screen_(fonts, languages),
       painter_(std::move(painter)),
       ink_layer_(std::move(ink)),
       pictures_(std::move(pictures)) {
     if (searcher != nullptr) worker_ = std::make_unique<SearchWorker>(*searcher, options.every_frame_seen);
     ink_layer_.resize(sheet_size(layout_));
     painter_.set_picture(kInkPicture, &ink_layer_.texture());
-    notice_left_ = options.notice_left;
     start_over_frame();
 }
 
@@ -114,46 +101,74 @@ core::PenSample FindMode::sample_of(const ui::WindowEvent& event) const {
 
 void FindMode::pointer(const ui::WindowEvent& event) {
     using Kind = ui::WindowEvent::Kind;
-    const bool on_sheet = layout_.sheet.contains(event.x, event.y) && !showing_notice();
+    const bool on_sheet = layout_.sheet.contains(event.x, event.y);
     pointer_px_ = core::Point{event.x, event.y};
+    eraser_near_ = event.pen && event.eraser && event.kind != Kind::Leave;
     if (event.kind == Kind::Down) {
-        if (!on_sheet) {
-            if (const auto intent = touch_.press(targets(event.time_us), event.x, event.y)) act(*intent, event.time_us);
-        } else if (tool_ == ui::Tool::Pen) {
-            if (sketch_.empty() && !sketch_.can_undo()) drawing_start_us_ = event.time_us;
-            begin_stroke(sample_of(event), event.time_us);
-        } else {
-            pen_ = Pen::Erasing;
-            erase(event);
-        }
+        touch(event, on_sheet);
     } else if (event.kind == Kind::Move) {
         touch_.move(event.x, event.y);
-        if (pen_ == Pen::Drawing) extend_stroke(sample_of(event));
-        if (pen_ == Pen::Erasing) erase(event);
+        draw_or_erase(event);
     } else if (event.kind == Kind::Up) {
-        if (pen_ == Pen::Drawing) {
-            extend_stroke(sample_of(event));
-            end_stroke(event.time_us);
-        } else if (pen_ == Pen::Erasing) {
-            pen_ = Pen::Up;
-            sketch_.end_erasing();
-            sheet_changed(event.time_us);
-        }
+        draw_or_erase(event);
+        if (pen_ == Pen::Drawing) end_stroke(event.time_us);
+        if (pen_ == Pen::Erasing) end_erasing(event.time_us);
         touch_.move(event.x, event.y);
         if (const auto intent = touch_.release()) act(*intent, event.time_us);
         if (event.finger) pointer_px_.reset();
+    } else if (event.kind == Kind::TakeBack) {
+        take_back(event.time_us);
+    } else if (event.kind == Kind::Leave) {
+        pointer_px_.reset();
     }
+    pen_hovers_ = event.pen && pen_ == Pen::Up && pointer_px_.has_value();
+    if (pen_ != Pen::Drawing) ahead_.reset();
+}
+
+void FindMode::touch(const ui::WindowEvent& event, bool on_sheet) {
+    if (!on_sheet) {
+        if (const auto intent = touch_.press(targets(event.time_us), event.x, event.y)) act(*intent, event.time_us);
+    } else if (event.eraser || tool_ == ui::Tool::Eraser) {
+        pen_ = Pen::Erasing;
+        erase(event);
+    } else {
+        if (sketch_.empty() && !sketch_.can_undo()) drawing_start_us_ = event.time_us;
+        begin_stroke(sample_of(event), event.time_us);
+    }
+}
+
+void FindMode::draw_or_erase(const ui::WindowEvent& event) {
+    if (pen_ == Pen::Drawing) extend_stroke(sample_of(event));
+    if (pen_ == Pen::Erasing) erase(event);
+}
+
+void FindMode::look_ahead(const std::optional<ui::WindowEvent>& predicted) {
+    ahead_.reset();
+    if (predicted && sketch_.open()) ahead_ = sample_of(*predicted);
 }
 
 void FindMode::cancel_pointer(std::int64_t now_us) {
     touch_.cancel();
     pointer_px_.reset();
+    ahead_.reset();
+    pen_hovers_ = eraser_near_ = false;
     if (pen_ == Pen::Drawing) end_stroke(now_us);
-    if (pen_ == Pen::Erasing) {
-        pen_ = Pen::Up;
-        sketch_.end_erasing();
-        sheet_changed(now_us);
-    }
+    if (pen_ == Pen::Erasing) end_erasing(now_us);
+}
+
+void FindMode::end_erasing(std::int64_t now_us) {
+    pen_ = Pen::Up;
+    sketch_.end_erasing();
+    sheet_changed(now_us);
+}
+
+void FindMode::take_back(std::int64_t now_us) {
+    touch_.cancel();
+    pointer_px_.reset();
+    if (pen_ == Pen::Up) return;
+    pen_ = Pen::Up;
+    sketch_.take_back();
+    sheet_changed(now_us);
 }
 
 void FindMode::erase(const ui::WindowEvent& event) {
@@ -185,7 +200,31 @@ void FindMode::start_sheet_for(const core::Drawing& drawing) {
     sketch_.forget();
     pen_ = Pen::Up;
     drop_results();
-    frame_ = fit_drawing(drawing, layout_.sheet.width, layout_.sheet.height);
+    frame_ = fit_drawing(drawing, layout_.sheet.width, layout_.sheet.height, kReplayMargin);
+}
+
+void FindMode::set_hand(ui::Hand hand) {
+    if (hand != options_.hand) relayout(layout_.screen, hand);
+}
+
+void FindMode::wipe(std::size_t language, ui::Hand hand) {
+    touch_.cancel();
+    pen_ = Pen::Up;
+    pen_hovers_ = eraser_near_ = false;
+    ahead_.reset();
+    pointer_px_.reset();
+    drawing_start_us_.reset();
+    cleared_ = false;
+    opened_card_.reset();
+    tool_ = ui::Tool::Pen;
+    sketch_.forget();
+    drop_results();
+    pictures_.reset(painter_);
+    rail_.settle();
+    search_failure_.clear();
+    options_.language = language;
+    set_hand(hand);
+    start_over_frame();
 }
 
 void FindMode::act(const ui::Intent& intent, std::int64_t now_us) {
@@ -219,9 +258,11 @@ void FindMode::act(const ui::Intent& intent, std::int64_t now_us) {
         case ui::Control::HandSwitch:
             relayout(layout_.screen, options_.hand == ui::Hand::Right ? ui::Hand::Left : ui::Hand::Right);
             break;
-        case ui::Control::StartDrawing:
-            notice_left_ = true;
+        case ui::Control::Card:
+            opened_card_ = intent.item;
             break;
+        default:
+            break;  // of other screens
     }
 }
 
@@ -371,17 +412,28 @@ int FindMode::update_ink() {
     return ink_layer_.update(ink());
 }
 
+std::vector<ui::InkPiece> FindMode::ahead_ink() const {
+    std::vector<ui::InkPiece> pieces;
+    if (!ahead_ || !sketch_.open()) return pieces;
+    const std::vector<core::PenSample>& samples = sketch_.drawing().strokes.back().samples;
+    std::vector<core::PenSample> end(samples.end() - std::min<std::ptrdiff_t>(2, std::ssize(samples)), samples.end());
+    end.push_back(*ahead_);
+    ui::append_ink_span(end, end.size() - 2, frame_, layout_.ink_width_px, pieces);
+    move_by(pieces, layout_.sheet);
+    return pieces;
+}
+
 ui::FindState FindMode::state(std::int64_t now_us) const {
     ui::FindState s;
     const ui::Strings& words = languages_[options_.language];
     s.language = options_.language;
-    s.tool = tool_;
+    s.tool = eraser_near_ || pen_ == Pen::Erasing ? ui::Tool::Eraser : tool_;
     s.can_undo = sketch_.can_undo();
     s.can_redo = sketch_.can_redo();
     s.sheet_empty = sketch_.empty();
     s.sheet_cleared = cleared_ && sketch_.empty();
     const bool nothing = !answer_ || answer_->answer.message_key.empty();
-    s.board_message = words[nothing ? ui::board_key(options_.notice) : answer_->answer.message_key];
+    s.board_message = words[nothing ? options_.board_key : answer_->answer.message_key];
     s.cards = rail_.slots(now_us);
     for (std::size_t i = 0; i < wash_.size(); ++i) {
         const ui::Rect& r = wash_[i].in_sheet;
@@ -394,12 +446,12 @@ ui::FindState FindMode::state(std::int64_t now_us) const {
     s.inked = ink_layer_.inked();
     s.ink_revision = sketch_.revision();
     s.wet_ink = ui::InkLayer::wet_end(ink());
-    for (ui::InkPiece& piece : s.wet_ink) {
-        piece.x0 += static_cast<float>(layout_.sheet.x);
-        piece.x1 += static_cast<float>(layout_.sheet.x);
-    }
-    if (tool_ == ui::Tool::Eraser && pointer_px_ && layout_.sheet.contains(pointer_px_->x, pointer_px_->y)) {
+    move_by(s.wet_ink, layout_.sheet);
+    s.ahead_ink = ahead_ink();
+    if (s.tool == ui::Tool::Eraser && pointer_px_ && layout_.sheet.contains(pointer_px_->x, pointer_px_->y)) {
         s.eraser_px = pointer_px_;
+    } else if (pen_hovers_) {
+        s.pen_px = pointer_px_;
     }
     s.pressed = touch_.pressed();
     s.pressed_item = touch_.pressed_item();
@@ -407,12 +459,11 @@ ui::FindState FindMode::state(std::int64_t now_us) const {
 }
 
 std::vector<ui::BoardTouch::Target> FindMode::targets(std::int64_t now_us) const {
-    if (showing_notice()) return notice_screen_.targets(options_.language, layout_);
     return screen_.targets(state(now_us), layout_);
 }
 
 FindMode::Shown FindMode::shown_at(std::int64_t now_us) const {
-    return {state(now_us), layout_.screen, options_.hand, showing_notice(), answer_ ? answer_->ticket : 0};
+    return {state(now_us), layout_.screen, options_.hand, answer_ ? answer_->ticket : 0};
 }
 
 bool FindMode::changed(std::int64_t now_us) const {
@@ -421,10 +472,7 @@ bool FindMode::changed(std::int64_t now_us) const {
 
 void FindMode::draw(std::int64_t now_us, bool flip) {
     shown_ = shown_at(now_us);
-    const ui::DrawList list = showing_notice() ? notice_screen_.draw(options_.notice, options_.language, layout_,
-                                                                     touch_.pressed(), touch_.pressed_item())
-                                               : screen_.draw(shown_->state, layout_);
-    painter_.paint(list, layout_.screen, flip);
+    painter_.paint(screen_.draw(shown_->state, layout_), layout_.screen, flip);
 }
 
 }  // namespace app

@@ -5,15 +5,17 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "firmware_like_app/kiosk/card_pictures.hpp"
+#include "firmware_like_app/kiosk/mode.hpp"
 #include "firmware_like_app/kiosk/search_worker.hpp"
 #include "ui/draw/ink_layer.hpp"
 #include "ui/draw/painter.hpp"
 #include "ui/gl/window.hpp"
 #include "ui/screens/find_screen.hpp"
-#include "ui/screens/notice_screen.hpp"
 #include "ui/screens/sketch.hpp"
 
 namespace app {
@@ -21,13 +23,12 @@ namespace app {
 struct FindOptions {
     std::size_t language = 0;
     ui::Hand hand = ui::Hand::Right;
-    ui::Notice notice = ui::Notice::None;
-    bool notice_left = false;               ///< start on the sheet, as after the notice's button
+    std::string board_key = "hint_board";   ///< of the words on the board while it shows no cards
     std::int64_t search_every_us = 80'000;  ///< while the pen draws; 0: only after strokes
     bool every_frame_seen = true;           ///< false: cards and wash are made when settle() asks for them
 };
 
-class FindMode {
+class FindMode final : public Mode {
   public:
     /// `searcher` may be null: the sheet works, nothing is found. All references must outlive the mode.
     [[nodiscard]] static core::Result<std::unique_ptr<FindMode>> create(const ui::FontSet& fonts,
@@ -36,11 +37,13 @@ class FindMode {
                                                                         ui::SizePx screen);
 
     /// Another size of screen: everything is laid out and drawn anew, the drawing keeps its place on the sheet.
-    void resize(ui::SizePx screen);
-    /// A mouse or a finger.
-    void pointer(const ui::WindowEvent& event);
+    void resize(ui::SizePx screen) override;
+    /// A mouse, a finger or a pen. The eraser end of a pen erases whatever tool is chosen.
+    void pointer(const ui::WindowEvent& event) override;
+    /// Where the pen will be when the frame is seen: shown as ink ahead of it, never part of a stroke.
+    void look_ahead(const std::optional<ui::WindowEvent>& predicted);
     /// The pointer is gone (focus lost): a stroke ends where it is, a pressed control does nothing.
-    void cancel_pointer(std::int64_t now_us);
+    void cancel_pointer(std::int64_t now_us) override;
 
     /// An empty sheet with no history, onto which a drawing of this extent fits with a margin.
     void start_sheet_for(const core::Drawing& drawing);
@@ -49,25 +52,32 @@ class FindMode {
     void end_stroke(std::int64_t now_us);
 
     /// Once a frame: searches when due, takes answers, paints a few card pictures, moves what fades.
-    void update(std::int64_t now_us);
+    void update(std::int64_t now_us) override;
     /// Searches the sheet as it is and waits until its answer is on the cards.
     void search_and_wait(std::int64_t now_us);
     /// Ends all fades; with `resting` the wash is shown as when the pen rests.
     void settle(bool resting);
     /// Whether the frame would differ from the one drawn last.
-    [[nodiscard]] bool changed(std::int64_t now_us) const;
+    [[nodiscard]] bool changed(std::int64_t now_us) const override;
     /// The frame into whatever is bound; `flip` for windows.
-    void draw(std::int64_t now_us, bool flip);
+    void draw(std::int64_t now_us, bool flip) override;
     /// Draws new samples into the ink layer (before the frame is bound). Returns the number of pieces drawn.
-    int update_ink();
+    int update_ink() override;
 
     [[nodiscard]] const ui::Sketch& sketch() const { return sketch_; }
     [[nodiscard]] const ui::FindLayout& layout() const { return layout_; }
     /// The answer that the cards show or are about to.
     [[nodiscard]] const PreparedAnswer* answer() const { return answer_.get(); }
     [[nodiscard]] ui::FindState state(std::int64_t now_us) const;
-    [[nodiscard]] ui::Hand hand() const { return options_.hand; }
-    [[nodiscard]] bool showing_notice() const { return options_.notice != ui::Notice::None && !notice_left_; }
+    [[nodiscard]] bool has_work() const override { return !sketch_.empty() || sketch_.can_undo() || sketch_.open(); }
+    void wipe(std::size_t language, ui::Hand hand) override;
+    [[nodiscard]] std::size_t language() const override { return options_.language; }
+    void set_language(std::size_t language) override { options_.language = language; }
+    [[nodiscard]] ui::Hand hand() const override { return options_.hand; }
+    void set_hand(ui::Hand hand) override;
+    void set_board_key(std::string key) { options_.board_key = std::move(key); }
+    /// The place of the card that was tapped since the last call.
+    [[nodiscard]] std::optional<std::size_t> take_opened_card() { return std::exchange(opened_card_, std::nullopt); }
     /// Searches finished so far.
     [[nodiscard]] std::uint64_t searches() const { return worker_ ? worker_->searches() : 0; }
     /// The last thing a searcher threw.
@@ -96,16 +106,20 @@ class FindMode {
     [[nodiscard]] bool wash_is_current() const;
     [[nodiscard]] double wash_opacity(std::size_t part, std::int64_t now_us) const;
     [[nodiscard]] ui::InkLayer::Ink ink() const;
+    [[nodiscard]] std::vector<ui::InkPiece> ahead_ink() const;
     [[nodiscard]] core::PenSample sample_of(const ui::WindowEvent& event) const;
     [[nodiscard]] std::vector<ui::BoardTouch::Target> targets(std::int64_t now_us) const;
     void erase(const ui::WindowEvent& event);
+    void touch(const ui::WindowEvent& event, bool on_sheet);
+    void draw_or_erase(const ui::WindowEvent& event);
+    void end_erasing(std::int64_t now_us);
+    void take_back(std::int64_t now_us);
 
     const ui::FontSet& fonts_;
     const std::vector<ui::Strings>& languages_;
     FindOptions options_;
     ui::FindLayout layout_;
     ui::FindScreen screen_;
-    ui::NoticeScreen notice_screen_;
     ui::Painter painter_;
     ui::InkLayer ink_layer_;
     CardPictures pictures_;
@@ -117,9 +131,12 @@ class FindMode {
     ui::BoardTouch touch_;
     enum class Pen { Up, Drawing, Erasing } pen_ = Pen::Up;
     std::optional<core::Point> pointer_px_;
+    bool pen_hovers_ = false, eraser_near_ = false;
+    std::optional<core::PenSample> ahead_;
     std::optional<std::int64_t> drawing_start_us_;
     std::int64_t pen_up_us_ = 0, pen_down_us_ = 0;
-    bool notice_left_ = false, cleared_ = false;
+    bool cleared_ = false;
+    std::optional<std::size_t> opened_card_;
     std::int64_t cleared_us_ = 0;
 
     ui::CardRail rail_;
@@ -136,7 +153,6 @@ class FindMode {
         ui::FindState state;
         ui::SizePx screen;
         ui::Hand hand;
-        bool notice;
         std::uint64_t answer_ticket;
         friend bool operator==(const Shown&, const Shown&) = default;
     };

@@ -9,6 +9,8 @@
 #include "core/exchange/png_writer.hpp"
 #include "firmware_like_app/kiosk/drawing_recorder.hpp"
 #include "firmware_like_app/kiosk/find_mode.hpp"
+#include "firmware_like_app/kiosk/live_searcher.hpp"
+#include "firmware_like_app/kiosk/shell.hpp"
 #include "firmware_like_app/kiosk/surface.hpp"
 
 namespace app {
@@ -35,11 +37,14 @@ std::string file_part(const std::string& name) {
 
 class Loop {
   public:
-    Loop(const KioskOptions& options, std::vector<NamedDrawing> replays, Surface& surface, FindMode& find)
+    Loop(const KioskOptions& options, std::vector<NamedDrawing> replays, Surface& surface, FindMode& find, Shell& shell,
+         PenDesk& pens)
         : options_(options),
           replays_(std::move(replays)),
           surface_(surface),
           find_(find),
+          shell_(shell),
+          pens_(pens),
           player_(replays_, options.headless ? 0 : kReplayRest_us),
           recorder_(options.record) {
         report_.renderer = ui::renderer_name();
@@ -48,12 +53,12 @@ class Loop {
     core::Result<KioskReport> run() {
         if (replays_.empty() && options_.headless) return still_picture();
         start_us_ = surface_.now_us();
+        if (!replays_.empty()) shell_.open_sheet(start_us_);
         while (!ended_ && failure_.has_value()) {
-            for (const ui::WindowEvent& event : surface_.poll()) handle(event);
+            point();
             replay();
-            find_.update(surface_.now_us());
-            find_.update_ink();
-            const bool drawn = surface_.shows_frames() && (frame_due_ || find_.changed(surface_.now_us()));
+            update();
+            const bool drawn = surface_.shows_frames() && (frame_due_ || shell_.changed(surface_.now_us()));
             if (drawn) {
                 draw_frame();
                 frame_due_ = false;
@@ -77,6 +82,20 @@ class Loop {
         return std::move(report_);
     }
 
+    /// All that pointed since the last frame.
+    void point() {
+        const std::vector<ui::WindowEvent> events =
+            pens_.merge(surface_.poll(), surface_.size(), find_.layout().sheet, surface_.now_us());
+        for (const ui::WindowEvent& event : events) handle(event);
+        shell_.set_tablet(!pens_.tablets().empty(), surface_.now_us());
+        if (pens_.pen_near()) shell_.pen_near(false, surface_.now_us());
+        find_.look_ahead(pens_.predicted());
+        for (std::string& problem : pens_.take_problems()) {
+            if (report_.problems.size() < 100) report_.problems.push_back(std::move(problem));
+        }
+        report_.pen_reports_lost = pens_.lost();
+    }
+
     void handle(const ui::WindowEvent& event) {
         using Kind = ui::WindowEvent::Kind;
         switch (event.kind) {
@@ -85,7 +104,7 @@ class Loop {
                 ended_ = true;
                 break;
             case Kind::Resized:
-                find_.resize(surface_.size());
+                shell_.resize(surface_.size(), event.time_us);
                 frame_due_ = true;
                 break;
             case Kind::Exposed:
@@ -94,25 +113,42 @@ class Loop {
                 break;
             case Kind::FocusLost:
             case Kind::Cancel:
-                find_.cancel_pointer(event.time_us);
+                shell_.cancel_pointer(event.time_us);
                 break;
             case Kind::Down:
             case Kind::Move:
             case Kind::Up:
+            case Kind::Leave:
+            case Kind::TakeBack:
                 if (player_.ended()) pointer(event);
                 break;
         }
     }
 
     void pointer(const ui::WindowEvent& event) {
-        if (!find_.sketch().empty()) last_drawing_ = find_.sketch().drawing();
-        find_.pointer(event);
-        if (find_.sketch().empty() && !last_drawing_.empty()) record();
+        note_drawing();
+        shell_.pointer(event);
+        if (find_.sketch().empty()) record();
     }
 
-    /// Keeps what a visitor drew when the sheet is emptied or the kiosk ends.
+    void update() {
+        if (!options_.record.empty()) note_drawing();
+        shell_.update(surface_.now_us());
+        shell_.update_ink();
+        if (!options_.headless && find_.sketch().empty()) record();
+    }
+
+    void note_drawing() {
+        if (find_.sketch().empty() || find_.sketch().revision() == noted_revision_) return;
+        noted_revision_ = find_.sketch().revision();
+        last_drawing_ = find_.sketch().drawing();
+    }
+
+    /// Keeps what a visitor drew when the sheet is emptied, by the visitor or by time, or the kiosk ends.
     void record() {
-        if (!find_.sketch().empty()) last_drawing_ = find_.sketch().drawing();
+        note_drawing();
+        if (last_drawing_.empty()) return;
+        pens_.mark("the sheet was emptied");
         const core::Result<void> kept = recorder_.keep(std::exchange(last_drawing_, {}));
         if (!kept && failure_) failure_ = kept;
     }
@@ -169,7 +205,7 @@ class Loop {
         std::array<char, 16> number{};
         std::snprintf(number.data(), number.size(), "%04d-", ++shots_);
         const std::filesystem::path path = options_.shots / (number.data() + name + ".png");
-        find_.update_ink();
+        shell_.update_ink();
         draw_frame();
         failure_ = core::write_png(path, surface_.read_back());
         if (failure_) report_.replays.back().shots.push_back(path);
@@ -194,7 +230,7 @@ class Loop {
     void draw_frame() {
         const auto start = std::chrono::steady_clock::now();
         const bool flip = surface_.bind();
-        find_.draw(surface_.now_us(), flip);
+        shell_.draw(surface_.now_us(), flip);
         const double ms = ms_since(start);
         report_.worst_frame_ms = std::max(report_.worst_frame_ms, ms);
         ++report_.frames;
@@ -215,9 +251,12 @@ class Loop {
     std::vector<NamedDrawing> replays_;
     Surface& surface_;
     FindMode& find_;
+    Shell& shell_;
+    PenDesk& pens_;
     ReplayPlayer player_;
     DrawingRecorder recorder_;
     core::Drawing last_drawing_;
+    std::uint64_t noted_revision_ = 0;
     KioskReport report_;
     core::Result<void> failure_;
     std::int64_t start_us_ = 0;
@@ -235,6 +274,15 @@ core::Result<std::unique_ptr<Surface>> open_surface(const KioskOptions& options)
     window.size = options.size.value_or(kDefaultSize);
     window.full_screen = !options.windowed;
     return open_window_surface(window);
+}
+
+core::Result<std::unique_ptr<PenDesk>> open_pens(const KioskOptions& options, input::DeviceNumbers& numbers) {
+    PenDeskOptions desk;
+    desk.pipeline = options.pens;
+    desk.tablet_changed = options.tablet_changed;
+    if (options.headless) return PenDesk::create(nullptr, numbers, std::move(desk));
+    if (!options.record.empty()) desk.trace = next_free(options.record, "pointers");
+    return PenDesk::create(options.tablets ? open_desk_tablets(numbers) : nullptr, numbers, std::move(desk));
 }
 
 core::Result<void> make_folder(const std::filesystem::path& folder) {
@@ -273,14 +321,28 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searc
     FindOptions find_options;
     find_options.language = static_cast<std::size_t>(language - languages->begin());
     find_options.hand = options.hand;
-    find_options.notice = options.notice;
-    find_options.notice_left = !replays.empty();
     find_options.every_frame_seen = !options.headless;
     find_options.search_every_us = options.headless ? 0 : options.search_every_us;
+    LiveSearcher shared(std::shared_ptr<Searcher>(searcher, [](Searcher*) {}));  // two threads ask
     core::Result<std::unique_ptr<FindMode>> find =
-        FindMode::create(*fonts, *languages, searcher, find_options, (*surface)->size());
+        FindMode::create(*fonts, *languages, searcher != nullptr ? &shared : nullptr, find_options, (*surface)->size());
     if (!find) return core::unexpected(find.error());
-    return Loop(options, std::move(replays), **surface, **find).run();
+    ShellOptions shell_options;
+    shell_options.times = options.times;
+    shell_options.collection = options.collection;
+    shell_options.language = find_options.language;
+    shell_options.hand = options.hand;
+    shell_options.attract = options.attract && searcher != nullptr;
+    shell_options.every_frame_seen = !options.headless;
+    core::Result<std::unique_ptr<Shell>> shell =
+        Shell::create(*fonts, *languages, **find, searcher != nullptr ? &shared : nullptr, shell_options,
+                      (*surface)->size(), (*surface)->now_us());
+    if (!shell) return core::unexpected(shell.error());
+    if (options.expect_tablet) (*shell)->expect_tablet((*surface)->now_us());
+    input::DeviceNumbers numbers;
+    core::Result<std::unique_ptr<PenDesk>> pens = open_pens(options, numbers);
+    if (!pens) return core::unexpected(pens.error());
+    return Loop(options, std::move(replays), **surface, **find, **shell, **pens).run();
 }
 
 }  // namespace app

@@ -3,16 +3,18 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "firmware_like_app/kiosk/pen_desk.hpp"
 #include "firmware_like_app/kiosk/replay_player.hpp"
 #include "firmware_like_app/kiosk/searcher.hpp"
+#include "firmware_like_app/kiosk/station.hpp"
 #include "ui/gl/context.hpp"
 #include "ui/screens/find_layout.hpp"
-#include "ui/screens/notice_screen.hpp"
 
 namespace app {
 
@@ -22,10 +24,16 @@ struct KioskOptions {
     bool headless = false;           ///< no screen at all; a virtual clock; ends when the replays do
     bool end_after_replays = true;   ///< false: in a window the sheet is free when the replays end
     std::filesystem::path shots;     ///< folder for numbered pictures at 25, 50, 75 and 100 % of each replay's ink
-    std::filesystem::path record;    ///< folder for what visitors draw, one Quick-Draw line a drawing
-    std::string language = "en";     ///< code of a language file
+    std::filesystem::path record;    ///< folder for what visitors draw: a trace a drawing, and one of all that pointed
+    bool tablets = true;             ///< read the tablets of this machine, in a window
+    input::PipelineOptions pens;     ///< calibration, pressure, smoothing of tablets
+    std::function<void(const TabletChange&)> tablet_changed;  ///< called between frames
+    std::string language = "en";                              ///< code of a language file
     ui::Hand hand = ui::Hand::Right;
-    ui::Notice notice = ui::Notice::None;   ///< a calm screen to start with, when there is no collection
+    CollectionState collection = CollectionState::Ready;  ///< other than ready: a calm screen says so
+    StationTimes times;
+    bool attract = true;                    ///< false: an empty sheet waits for visitors
+    bool expect_tablet = false;             ///< say so when none is there; one that was there once is always expected
     std::int64_t search_every_us = 80'000;  ///< while the pen draws, in a window; headless searches after strokes
 };
 
@@ -46,7 +54,9 @@ struct KioskReport {
     std::int64_t frames = 0;     ///< drawn
     double median_frame_ms = 0;  ///< time to draw one, presenting left out
     double worst_frame_ms = 0;
-    std::string renderer;  ///< what draws, as GL names it
+    std::uint64_t pen_reports_lost = 0;  ///< that a full queue refused
+    std::vector<std::string> problems;   ///< with tablets, in sentences for people; at most 100
+    std::string renderer;                ///< what draws, as GL names it
 };
 
 /// Runs until the window is closed, Escape is pressed, or (headless or end_after_replays) the replays end.

@@ -73,6 +73,10 @@ void PointerSource::push(std::uint32_t device, double x, double y, bool tip, Pen
     e.sample.time_ns = time_ns;
     e.sample.x = std::clamp(x, 0.0, 1.0);
     e.sample.y = std::clamp(y, 0.0, 1.0);
+    if (options_.width_mm > 0.0 && options_.height_mm > 0.0) {
+        e.sample.x_mm = *e.sample.x * options_.width_mm;
+        e.sample.y_mm = *e.sample.y * options_.height_mm;
+    }
     e.sample.pressure = pressure;
     e.sample.tool = tool;
     e.sample.in_range = true;

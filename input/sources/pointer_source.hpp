@@ -18,6 +18,7 @@ namespace input {
 struct PointerSourceOptions {
     DeviceNumbers* numbers = nullptr;
     PalmOptions palm;
+    double width_mm = 0.0, height_mm = 0.0;  ///< of the sheet; 0: samples have no millimetres
 };
 
 /// One touch draws at a time: the first that may. The mouse draws while its first button is pressed. All calls from one

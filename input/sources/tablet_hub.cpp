@@ -56,7 +56,8 @@ bool kernel_knows_pen(const UdevNode& node) {
 }
 
 TabletHub::TabletHub(const TabletHubOptions& options)
-    : events_({.clock = options.clock,
+    : clock_(options.clock),
+      events_({.clock = options.clock,
                .numbers = options.numbers,
                .wanted = [](const UdevNode& node) { return node.hid_path.empty() || kernel_knows_pen(node); },
                .hot_plug = options.hot_plug,
@@ -71,6 +72,11 @@ void TabletHub::drain(std::vector<SourceEvent>& out) {
     const std::size_t start = out.size();
     events_.drain(out);
     reports_.drain(out);
+    for (std::size_t i = start; i < out.size(); ++i) {
+        const bool attached = out[i].kind == SourceEventKind::Attached;
+        sleep_.see(out[i], attached ? device(out[i].device) : TraceDevice{});
+    }
+    sleep_.append_asleep(clock_(), out);
     std::stable_sort(out.begin() + static_cast<std::ptrdiff_t>(start), out.end(),
                      [](const SourceEvent& a, const SourceEvent& b) { return a.time_ns < b.time_ns; });
 }

@@ -2,12 +2,14 @@
 // All tablets of the machine behind one source, each with one owner.
 //
 // A tablet whose pen the kernel's driver knows, with pressure, is read by its event node; any other by hidraw, and the
-// event nodes that it has as a mouse are taken, so that nothing is drawn twice.
+// event nodes that it has as a mouse are taken, so that nothing is drawn twice. A tablet that stops speaking while its
+// pen is near is said to be asleep, see sleep_watch.hpp.
 
 #include <memory>
 
 #include "input/sources/evdev_source.hpp"
 #include "input/sources/hid_source.hpp"
+#include "input/sources/sleep_watch.hpp"
 
 namespace input {
 
@@ -33,8 +35,10 @@ class TabletHub final : public PenSource {
     [[nodiscard]] std::string_view name() const override { return "tablets"; }
 
   private:
+    Clock clock_;
     EvdevSource events_;
     HidSource reports_;
+    SleepWatch sleep_;
 };
 
 }  // namespace input

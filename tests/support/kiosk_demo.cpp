@@ -39,11 +39,11 @@ app::NamedDrawing read_line(std::string file) {
     return named;
 }
 
-ui::Notice notice_of(const std::string& word) {
-    if (word == "no-models") return ui::Notice::NoModels;
-    if (word == "missing") return ui::Notice::CollectionMissing;
-    if (word == "damaged") return ui::Notice::CollectionDamaged;
-    return ui::Notice::None;
+app::CollectionState state_of(const std::string& word) {
+    if (word == "no-models") return app::CollectionState::Empty;
+    if (word == "missing") return app::CollectionState::Missing;
+    if (word == "damaged") return app::CollectionState::Damaged;
+    return app::CollectionState::Ready;
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
         if (word == "--shots") options.shots = value();
         if (word == "--record") options.record = value();
         if (word == "--language") options.language = value();
-        if (word == "--notice") options.notice = notice_of(value());
+        if (word == "--notice") options.collection = state_of(value());
         if (word == "--slow") slow_ms = std::atoi(value().c_str());
         if (word == "--replay") replays.push_back(read_line(value()));
         if (word == "--size") {

@@ -47,6 +47,12 @@ struct PictureCommand {
     Colour tint;
     double opacity = 1;
     Rect source{0, 0, 1, 1};  ///< part of the picture that is shown, 0 … 1
+    /// Opacity comes in from left to right, or goes where `to` is the smaller: 0 at `from`, 1 at `to`, both in widths
+    /// of the rect. Equal: no ramp.
+    struct Ramp {
+        double from = 0, to = 0;
+    };
+    Ramp ramp;
 };
 
 /// Ink drawn straight to the screen: the wet end.
@@ -77,14 +83,14 @@ class DrawList {
         commands.emplace_back(IconCommand{icon, centre_x, centre_y, size_px, line_px, colour});
     }
     void picture(PictureId id, const Rect& rect, double opacity = 1) {
-        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Picture, {}, opacity, {0, 0, 1, 1}});
+        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Picture, {}, opacity, {0, 0, 1, 1}, {}});
     }
     /// `source`: the part of the picture to show, 0 … 1.
     void tinted(PictureId id, const Rect& rect, Colour tint, const Rect& source) {
-        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Tint, tint, 1, source});
+        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Tint, tint, 1, source, {}});
     }
     void wash(PictureId id, const Rect& rect, Colour tint, double opacity) {
-        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Wash, tint, opacity, {0, 0, 1, 1}});
+        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Wash, tint, opacity, {0, 0, 1, 1}, {}});
     }
     void ink(std::vector<InkPiece> pieces, Colour colour, const Rect& clip) {
         commands.emplace_back(InkCommand{std::move(pieces), colour, clip});

@@ -106,6 +106,25 @@ std::vector<Polyline> make(Icon icon) {
         case Icon::Warning:
             return {Path({16, 4.5}).to(29, 27).to(3, 27).close(), Path({16, 12.5}).to(16, 19.5),
                     Path({16, 23.2}).to(16, 23.3)};
+        case Icon::Tablet:
+            return {Path({3, 8})
+                        .round({3, 5}, {6, 5})
+                        .to(26, 5)
+                        .round({29, 5}, {29, 8})
+                        .to(29, 24)
+                        .round({29, 27}, {26, 27})
+                        .to(6, 27)
+                        .round({3, 27}, {3, 24})
+                        .close(),
+                    Path({8, 12}).to(8, 20), Path({12.5, 21}).to(24.5, 9)};
+        case Icon::Back:
+            return {Path({14, 7}).to(5, 16).to(14, 25), Path({5, 16}).to(27, 16)};
+        case Icon::Check:
+            return {Path({5, 17}).to(12.5, 24).to(27, 8)};
+        case Icon::Minus:
+            return {Path({8, 16}).to(24, 16)};
+        case Icon::Plus:
+            return {Path({8, 16}).to(24, 16), Path({16, 8}).to(16, 24)};
     }
     return {};
 }
@@ -120,9 +139,11 @@ double distance_to_segment(Point p, Point a, Point b) {
 }  // namespace
 
 const std::vector<Polyline>& icon_strokes(Icon icon) {
-    static const std::array<std::vector<Polyline>, 8> all{make(Icon::Pen),        make(Icon::Eraser), make(Icon::Undo),
-                                                          make(Icon::Redo),       make(Icon::New),    make(Icon::Hand),
-                                                          make(Icon::Collection), make(Icon::Warning)};
+    static const auto all = [] {
+        std::array<std::vector<Polyline>, static_cast<std::size_t>(Icon::Plus) + 1> strokes;
+        for (std::size_t i = 0; i < strokes.size(); ++i) strokes[i] = make(static_cast<Icon>(i));
+        return strokes;
+    }();
     return all[static_cast<std::size_t>(icon)];
 }
 

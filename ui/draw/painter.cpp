@@ -181,6 +181,7 @@ void Painter::draw(const PictureCommand& picture) {
     picture_program_.set("mode", static_cast<int>(picture.mode));
     picture_program_.set("tint", picture.tint.r, picture.tint.g, picture.tint.b, picture.tint.a);
     picture_program_.set("opacity", static_cast<float>(picture.opacity));
+    picture_program_.set("ramp", static_cast<float>(picture.ramp.from), static_cast<float>(picture.ramp.to));
     set_blend(picture.mode == PictureCommand::Mode::Wash ? Blend::Multiply : Blend::Over);
     std::vector<float> quad;
     push(quad, {picture.rect.x, picture.rect.y, picture.rect.width, picture.rect.height, picture.source.x,

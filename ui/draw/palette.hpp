@@ -21,6 +21,7 @@ struct Colour {
 
 namespace palette {
 inline constexpr Colour kInk = Colour::hex(0x1E1B18);
+inline constexpr Colour kInkAhead = Colour::hex(0x787572);  ///< ink over sheet at 60 %, without seams
 inline constexpr Colour kMuted = Colour::hex(0x6A6259);
 inline constexpr Colour kSanguine = Colour::hex(0xA8371C);
 inline constexpr Colour kSheet = Colour::hex(0xFFFDF8);

@@ -16,4 +16,7 @@ struct EmbeddedFile {
 /// The files of ui/screens/strings, one per language.
 [[nodiscard]] const std::vector<EmbeddedFile>& string_files();
 
+/// The files of ui/screens/attract, drawings as Quick-Draw lines.
+[[nodiscard]] const std::vector<EmbeddedFile>& attract_files();
+
 }  // namespace ui

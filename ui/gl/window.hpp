@@ -10,15 +10,31 @@
 
 namespace ui {
 
-/// What a mouse, a finger or the window manager did. Positions are in pixels of the drawable, y down.
+/// What a mouse, a finger, a pen or the window manager did. Positions are in pixels of the drawable, y down.
 struct WindowEvent {
-    enum class Kind { Down, Move, Up, Cancel, Resized, Exposed, FocusLost, FocusGained, Close, Escape };
+    /// Leave: the pen is out of range, nothing points any more. TakeBack: what began with the last Down was a palm.
+    enum class Kind {
+        Down,
+        Move,
+        Up,
+        Cancel,
+        Resized,
+        Exposed,
+        FocusLost,
+        FocusGained,
+        Close,
+        Escape,
+        Leave,
+        TakeBack
+    };
     Kind kind = Kind::Move;
     double x = 0.0;
     double y = 0.0;
     double pressure = 1.0;     ///< 0 … 1; 1 for the mouse and for fingers that report none
     std::int64_t time_us = 0;  ///< when it happened, on the clock of Window::now_us()
     bool finger = false;
+    bool pen = false;     ///< of a tablet; a Move without a Down before it is one that hovers
+    bool eraser = false;  ///< the pen's other end
 };
 
 struct WindowOptions {

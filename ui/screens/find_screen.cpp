@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/screens/widgets.hpp"
+
 namespace ui {
 namespace {
 
@@ -35,15 +37,6 @@ Type type_of(const FindLayout& l) {
     return t;
 }
 
-/// Distance of the baseline below the middle that centres capitals and figures.
-double cap_drop(const TextStyle& s) {
-    return s.size_px * 0.364;
-}
-
-Rect scaled(const Rect& r, double by) {
-    return {r.centre_x() - r.width * by / 2, r.centre_y() - r.height * by / 2, r.width * by, r.height * by};
-}
-
 /// Lines of text centred on a point.
 void centred_lines(DrawList& list, const FontSet& fonts, const std::string& text, const TextStyle& s, Colour colour,
                    double cx, double cy, double width, double line_height) {
@@ -74,12 +67,14 @@ class Drawer {
                          {inked.x / l_.sheet.width, inked.y / l_.sheet.height, inked.width / l_.sheet.width,
                           inked.height / l_.sheet.height});
         }
+        list_.ink(state_.ahead_ink, palette::kInkAhead, l_.sheet);
         list_.ink(state_.wet_ink, palette::kInk, l_.sheet);
-        if (state_.eraser_px) {
-            const double d = l_.px(24);
-            list_.box({state_.eraser_px->x - d / 2, state_.eraser_px->y - d / 2, d, d}, d / 2, kNone, palette::kInk,
-                      l_.px(2));
-        }
+        if (state_.eraser_px) ring(*state_.eraser_px, 24);
+    }
+
+    /// Above all else: a pen that hovers over the board has its place there, too.
+    void pen() {
+        if (state_.pen_px && !state_.eraser_px) ring(*state_.pen_px, 10);
     }
 
     /// Under the sheet, whose shadow falls on it.
@@ -116,6 +111,11 @@ class Drawer {
     }
 
   private:
+    void ring(core::Point centre, double design_px) {
+        const double d = l_.px(design_px);
+        list_.box({centre.x - d / 2, centre.y - d / 2, d, d}, d / 2, kNone, palette::kInk, l_.px(2));
+    }
+
     void sheet_hint() {
         const double cx = l_.sheet.centre_x(), cy = l_.sheet.height * 0.5;
         const double width = l_.sheet.width - l_.px(96);
@@ -163,7 +163,8 @@ class Drawer {
         const double line = std::max(1.0, std::round(l_.px(1)));
         list_.box({r.x - line, r.y - line, r.width + 2 * line, r.height + 2 * line}, card_radius(i) + line, kNone,
                   palette::kEdge.faded(a), line);
-        list_.box(r, card_radius(i), palette::kSheet.faded(a));
+        const bool down = state_.pressed == Control::Card && state_.pressed_item == i;
+        list_.box(r, card_radius(i), (down ? palette::kWell : palette::kSheet).faded(a));
         list_.picture(face.picture, l_.card_pictures[i], opacity);
         if (i == 0) {
             best_text(face, a);
@@ -286,6 +287,7 @@ DrawList FindScreen::draw(const FindState& state, const FindLayout& layout) cons
     drawer.cards();
     drawer.tools();
     draw_footer(list, *fonts_, *languages_, state.language, layout, state.pressed, state.pressed_item);
+    drawer.pen();
     return list;
 }
 
@@ -296,6 +298,9 @@ std::vector<BoardTouch::Target> FindScreen::targets(const FindState& state, cons
     if (state.can_undo) all.push_back({Control::Undo, 0, layout.tools[2]});
     if (state.can_redo) all.push_back({Control::Redo, 0, layout.tools[3]});
     if (!state.sheet_empty) all.push_back({Control::New, 0, layout.tools[4]});
+    for (std::size_t i = 0; i < kCardCount; ++i) {
+        if (state.cards[i].now) all.push_back({Control::Card, i, layout.cards[i]});
+    }
     if (state.sheet_cleared) all.push_back({Control::UndoClear, 0, Drawer::undo_clear_rect(layout)});
     return all;
 }

@@ -25,7 +25,21 @@ struct WashPart {
 };
 
 /// What can be touched on the board.
-enum class Control { Pen, Eraser, Undo, Redo, New, Language, HandSwitch, UndoClear, StartDrawing };
+enum class Control {
+    Pen,
+    Eraser,
+    Undo,
+    Redo,
+    New,
+    Language,
+    HandSwitch,
+    UndoClear,
+    Card,  ///< item: its place on the rail
+    // of the other screens
+    StartDrawing,
+    KeepDrawing,
+    StartOver,
+};
 
 /// Everything that Find shows, as values.
 struct FindState {
@@ -40,7 +54,9 @@ struct FindState {
     PictureId ink{};
     Rect inked;  ///< box of all ink, pixels from the sheet's corner
     std::vector<InkPiece> wet_ink;
+    std::vector<InkPiece> ahead_ink;       ///< where the pen will be in the next frame
     std::optional<core::Point> eraser_px;  ///< the ring, while erasing
+    std::optional<core::Point> pen_px;     ///< where a pen hovers that lies on a tablet
     std::optional<Control> pressed;
     std::size_t pressed_item = 0;    ///< which language
     std::uint64_t ink_revision = 0;  ///< another number when the ink picture changed
@@ -50,7 +66,7 @@ struct FindState {
 /// What the visitor wants.
 struct Intent {
     Control control = Control::Pen;
-    std::size_t item = 0;  ///< index of the language
+    std::size_t item = 0;  ///< which language, card …
 };
 
 /// Touches on the board. Undo and redo act on the press; everything else on release inside the target.

@@ -1,79 +1,109 @@
 #include "ui/screens/notice_screen.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "ui/screens/widgets.hpp"
 
 namespace ui {
 namespace {
 
+/// What its strings begin with.
 std::string prefix(Notice notice) {
     switch (notice) {
         case Notice::CollectionMissing:
             return "missing";
         case Notice::CollectionDamaged:
             return "damaged";
+        case Notice::CollectionStale:
+            return "stale";
+        case Notice::Building:
+            return "building";
+        case Notice::NoTablet:
+            return "no_tablet";
         default:
             return "no_models";
     }
 }
 
-TextStyle button_style(const FindLayout& l) {
-    return {Face::SemiBold, l.px(l.compact ? 20 : 24), 0};
+Icon icon_of(Notice notice) {
+    switch (notice) {
+        case Notice::NoModels:
+        case Notice::Building:
+            return Icon::Collection;
+        case Notice::NoTablet:
+            return Icon::Tablet;
+        default:
+            return Icon::Warning;
+    }
+}
+
+std::string text_of(const NoticeState& state, const Strings& words) {
+    const std::string text = words[prefix(state.notice) + "_text"];
+    if (state.notice != Notice::Building) return text;
+    std::string key = "building_progress";
+    if (!state.minutes_left) key = "building_progress_untimed";
+    if (state.minutes_left == 1) key = "building_progress_minute";
+    const std::string progress = filled_in(words[key], {{"a", number_in(words, state.done)},
+                                                        {"b", number_in(words, state.total)},
+                                                        {"t", number_in(words, state.minutes_left.value_or(0))}});
+    return progress + "\n" + text;
+}
+
+std::string button_key(Notice notice) {
+    return notice == Notice::NoTablet ? "draw_by_touch" : "start_drawing";
 }
 
 }  // namespace
 
 std::string board_key(Notice notice) {
-    return notice == Notice::None ? "hint_board" : "no_collection_board";
+    switch (notice) {
+        case Notice::None:
+        case Notice::NoTablet:
+        case Notice::Building:
+            return "hint_board";
+        default:
+            return "no_collection_board";
+    }
 }
 
-Rect NoticeScreen::button(std::size_t language, const FindLayout& l) const {
-    const double text = fonts_->width_px((*languages_)[language]["start_drawing"], button_style(l));
-    const double width = std::round(text + l.px(88)), height = std::round(l.px(l.compact ? 68 : 80));
-    return {std::round(l.screen.width / 2.0 - width / 2), std::round(l.screen.height * 0.637), width, height};
+Rect NoticeScreen::button(const NoticeState& state, const FindLayout& l) const {
+    const ScreenScale s = ScreenScale::of(l.screen);
+    const double text =
+        fonts_->width_px((*languages_)[state.language][button_key(state.notice)], s.text(Face::SemiBold, 24));
+    const double width = std::round(text + s.px(88)), height = s.target(80);
+    const double down = state.notice == Notice::Building ? s.px(16) : 0;
+    return {std::round(l.screen.width / 2.0 - width / 2), std::round(l.screen.height * 0.637 + down), width, height};
 }
 
-DrawList NoticeScreen::draw(Notice notice, std::size_t language, const FindLayout& l, std::optional<Control> pressed,
-                            std::size_t pressed_item) const {
+DrawList NoticeScreen::draw(const NoticeState& state, const FindLayout& l) const {
     DrawList list;
-    const Strings& words = (*languages_)[language];
-    const double cx = l.screen.width / 2.0, height = l.screen.height;
+    const Strings& words = (*languages_)[state.language];
+    const ScreenScale s = ScreenScale::of(l.screen);
+    const double cx = l.screen.width / 2.0, height = l.screen.height, room = l.screen.width - s.px(96);
     list.box({0, 0, static_cast<double>(l.screen.width), height}, 0, palette::kBoard);
     draw_wordmark(list, *fonts_, l);
-
-    const double icon = l.px(l.compact ? 96 : 128);
-    list.icon(notice == Notice::NoModels ? Icon::Collection : Icon::Warning, cx, height * 0.282, icon, l.px(5),
-              palette::kSanguine);
-    TextStyle title{Face::DisplaySemiBold, l.px(l.compact ? 48 : 64), -0.015};
-    const std::string title_words = words[prefix(notice) + "_title"];
-    const double room = l.screen.width - l.px(96), wide = fonts_->width_px(title_words, title);
-    if (wide > room) title.size_px *= room / wide;
-    list.text(*fonts_, title_words, title, palette::kInk, cx, height * 0.45, Align::Centre);
-
-    const TextStyle lead{Face::Regular, l.px(l.compact ? 22 : 28), 0};
-    double y = height * 0.51;
-    const std::string text = words[prefix(notice) + "_text"];
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        for (const std::string& line : fonts_->wrap(text.substr(at, end - at), lead, room)) {
-            list.text(*fonts_, line, lead, palette::kMuted, cx, y, Align::Centre);
-            y += l.px(l.compact ? 32 : 40);
-        }
-        at = end + 1;
+    list.icon(icon_of(state.notice), cx, height * 0.282, s.px(128), s.px(128) / 32 * 1.5, palette::kSanguine);
+    draw_fitted(list, *fonts_, words[prefix(state.notice) + "_title"], s.text(Face::DisplaySemiBold, 64, -0.015),
+                palette::kInk, cx, height * 0.45, room, Align::Centre);
+    const TextStyle lead = s.text(Face::Regular, 28);
+    const double below = draw_centred_lines(list, *fonts_, text_of(state, words), lead, palette::kMuted, cx,
+                                            height * 0.51, room, std::round(lead.size_px * 1.43));
+    if (state.notice == Notice::Building) {
+        const double width = std::min(s.px(600), room);
+        const double share = state.total > 0 ? static_cast<double>(state.done) / static_cast<double>(state.total) : 0.0;
+        draw_bar(list, {std::round(cx - width / 2), std::round(below), width, s.px(12)}, share, palette::kSanguine,
+                 palette::kLine);
     }
-    Rect r = button(language, l);
-    const bool down = pressed == Control::StartDrawing;
-    if (down) r = {r.centre_x() - r.width * 0.485, r.centre_y() - r.height * 0.485, r.width * 0.97, r.height * 0.97};
-    list.box(r, r.height / 2, down ? palette::kInk.faded(0.82F) : palette::kInk);
-    const TextStyle s = button_style(l);
-    list.text(*fonts_, words["start_drawing"], s, palette::kSheet, r.centre_x(), r.centre_y() + s.size_px * 0.364,
-              Align::Centre);
-    draw_footer(list, *fonts_, *languages_, language, l, pressed, pressed_item);
+    draw_button(list, *fonts_, button(state, l), words[button_key(state.notice)], s.text(Face::SemiBold, 24),
+                ButtonKind::Primary, state.pressed == Control::StartDrawing, s.px(2));
+    draw_footer(list, *fonts_, *languages_, state.language, l, state.pressed, state.pressed_item);
     return list;
 }
 
-std::vector<BoardTouch::Target> NoticeScreen::targets(std::size_t language, const FindLayout& layout) const {
+std::vector<BoardTouch::Target> NoticeScreen::targets(const NoticeState& state, const FindLayout& layout) const {
     std::vector<BoardTouch::Target> all = footer_targets(layout, languages_->size());
-    all.push_back({Control::StartDrawing, 0, button(language, layout)});
+    all.push_back({Control::StartDrawing, 0, button(state, layout)});
     return all;
 }
 

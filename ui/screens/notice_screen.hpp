@@ -5,10 +5,20 @@
 
 namespace ui {
 
-enum class Notice { None, NoModels, CollectionMissing, CollectionDamaged };
+enum class Notice { None, NoModels, CollectionMissing, CollectionDamaged, CollectionStale, Building, NoTablet };
 
 /// Key of the sentence that the board of the sheet shows instead of its hint.
 [[nodiscard]] std::string board_key(Notice notice);
+
+struct NoticeState {
+    Notice notice = Notice::None;
+    std::size_t language = 0;
+    std::int64_t done = 0, total = 0;      ///< models, of Building
+    std::optional<int> minutes_left = {};  ///< of Building; nothing while that cannot be told
+    std::optional<Control> pressed = {};
+    std::size_t pressed_item = 0;
+    friend bool operator==(const NoticeState&, const NoticeState&) = default;
+};
 
 class NoticeScreen {
   public:
@@ -16,12 +26,12 @@ class NoticeScreen {
     NoticeScreen(const FontSet& fonts, const std::vector<Strings>& languages)
         : fonts_(&fonts), languages_(&languages) {}
 
-    [[nodiscard]] DrawList draw(Notice notice, std::size_t language, const FindLayout& layout,
-                                std::optional<Control> pressed, std::size_t pressed_item) const;
-    [[nodiscard]] std::vector<BoardTouch::Target> targets(std::size_t language, const FindLayout& layout) const;
+    /// The layout gives wordmark and footer their place.
+    [[nodiscard]] DrawList draw(const NoticeState& state, const FindLayout& layout) const;
+    [[nodiscard]] std::vector<BoardTouch::Target> targets(const NoticeState& state, const FindLayout& layout) const;
 
   private:
-    [[nodiscard]] Rect button(std::size_t language, const FindLayout& layout) const;
+    [[nodiscard]] Rect button(const NoticeState& state, const FindLayout& layout) const;
     const FontSet* fonts_;
     const std::vector<Strings>* languages_;
 };

@@ -47,6 +47,16 @@ void Sketch::end() {
     record({true, {{drawing_.strokes.size() - 1, drawing_.strokes.back()}}});
 }
 
+void Sketch::take_back() {
+    if (!open_ && erasing_.strokes.empty()) return;
+    if (open_) drawing_.strokes.pop_back();
+    open_ = false;
+    add_back(erasing_);
+    erasing_ = {};
+    ++epoch_;
+    ++revision_;
+}
+
 void Sketch::record(Step step) {
     done_.push_back(std::move(step));
     undone_.clear();

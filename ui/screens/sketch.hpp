@@ -17,6 +17,8 @@ class Sketch {
     void extend(const core::PenSample& sample);
     /// Tip up: the stroke becomes one step of undo.
     void end();
+    /// What is being drawn or erased did not happen (a palm): gone from the sheet and from the history.
+    void take_back();
     [[nodiscard]] bool open() const { return open_; }
 
     /// Removes every stroke that comes within `reach` of the point (units of the drawing). Returns whether any did.

@@ -202,26 +202,134 @@ TEST_CASE("a frame is only due when something changed", "[find mode]") {
     CHECK_FALSE(kiosk.find->changed(kiosk.now_us));
 }
 
-TEST_CASE("a sheet without a collection promises no models", "[find mode]") {
-    app::FindOptions options;
-    options.notice = ui::Notice::CollectionMissing;
-    options.notice_left = true;
-    Kiosk without(nullptr, options), with(nullptr, {});
-    CHECK_FALSE(without.find->showing_notice());
-    without.stroke(900, 200, 1000, 250);
-    CHECK(without.strokes() == 1);
-    CHECK(without.find->state(without.now_us).board_message != with.find->state(with.now_us).board_message);
+TEST_CASE("the board's words are those that the shell gives", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    const std::string hint = kiosk.state().board_message;
+    kiosk.find->set_board_key("no_collection_board");
+    CHECK(kiosk.state().board_message != hint);
 }
 
-TEST_CASE("a notice covers the sheet until the visitor starts drawing", "[find mode]") {
-    app::FindOptions options;
-    options.notice = ui::Notice::NoModels;
-    Kiosk kiosk(nullptr, options);
-    kiosk.stroke(900, 200, 1000, 250);
+TEST_CASE("a tap on a card opens it, and only where there is one", "[find mode]") {
+    test::FigureSearcher searcher(test::make_animals());
+    Kiosk kiosk(&searcher);
+    kiosk.tap(kiosk.layout().cards[2]);
+    CHECK_FALSE(kiosk.find->take_opened_card());
+    kiosk.stroke(700, 300, 1100, 310);
+    kiosk.stroke(1100, 310, 1100, 600);
+    kiosk.find->search_and_wait(kiosk.now_us);
+    kiosk.find->settle(false);
+    kiosk.tap(kiosk.layout().cards[2]);
+    CHECK(kiosk.find->take_opened_card() == std::optional<std::size_t>(2));
+    CHECK_FALSE(kiosk.find->take_opened_card());
+    CHECK(kiosk.strokes() == 2);
+}
+
+TEST_CASE("a wipe leaves nothing: no ink, no history, no cards, no language, no hand, no tool", "[find mode]") {
+    test::FigureSearcher searcher(test::make_animals());
+    const auto frame = [](Kiosk& k) {
+        k.find->update_ink();
+        ui::Target target({1280, 800}, ui::PixelFormat::Colour);
+        target.bind();
+        k.find->draw(k.now_us, false);
+        return target.read_back().pixels;
+    };
+    const std::vector<std::uint8_t> untouched = [&] {
+        Kiosk k(&searcher);
+        return frame(k);
+    }();
+    const auto is_untouched = [&](Kiosk& k) { return frame(k) == untouched; };
+    Kiosk kiosk(&searcher);
+    kiosk.stroke(700, 300, 1100, 310);
+    kiosk.stroke(1100, 310, 1100, 600);
+    kiosk.find->search_and_wait(kiosk.now_us);
+    kiosk.find->settle(true);
+    kiosk.tap(kiosk.layout().hand_switch);
+    kiosk.find->set_language(2);
+    kiosk.tap(kiosk.layout().tools[1]);
+    kiosk.event(Kind::Down, 300, 300);  // still erasing
+    CHECK(kiosk.find->has_work());
+    CHECK_FALSE(is_untouched(kiosk));
+
+    kiosk.find->wipe(0, ui::Hand::Right);
+    CHECK_FALSE(kiosk.find->has_work());
+    CHECK_FALSE(kiosk.state().can_undo);
+    CHECK_FALSE(kiosk.state().can_redo);
+    CHECK(kiosk.find->answer() == nullptr);
+    CHECK(kiosk.find->hand() == ui::Hand::Right);
+    CHECK(kiosk.find->language() == 0);
+    CHECK(is_untouched(kiosk));
+    kiosk.tap(kiosk.layout().tools[2]);  // undo brings nothing back
     CHECK(kiosk.strokes() == 0);
-    CHECK(kiosk.find->showing_notice());
-    kiosk.tap({560, 510, 160, 68});
-    CHECK_FALSE(kiosk.find->showing_notice());
-    kiosk.stroke(900, 200, 1000, 250);
+    kiosk.now_us += 100'000;
+    kiosk.find->update(kiosk.now_us);
+    CHECK(is_untouched(kiosk));
+}
+
+namespace {
+
+/// What a pen does, as the desk of pens gives it.
+ui::WindowEvent pen(Kiosk& kiosk, Kind kind, double x, double y, bool eraser = false, double pressure = 0.5) {
+    kiosk.now_us += 8'000;
+    return {kind, x, y, pressure, kiosk.now_us, false, true, eraser};
+}
+
+}  // namespace
+
+TEST_CASE("a pen draws with its pressure, and its other end erases whatever tool is chosen", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    kiosk.find->pointer(pen(kiosk, Kind::Move, 800, 300));
+    CHECK(kiosk.state().pen_px == core::Point{800, 300});
+    kiosk.find->pointer(pen(kiosk, Kind::Down, 800, 300, false, 0.25));
+    kiosk.find->pointer(pen(kiosk, Kind::Move, 900, 300, false, 0.75));
+    CHECK_FALSE(kiosk.state().pen_px);
+    kiosk.find->pointer(pen(kiosk, Kind::Up, 900, 300, false, 0.0));
+    REQUIRE(kiosk.strokes() == 1);
+    const std::vector<core::PenSample>& samples = kiosk.find->sketch().drawing().strokes[0].samples;
+    CHECK(samples.front().pressure == 0.25);
+    CHECK(samples.back().pressure == 0.75);
+
+    kiosk.find->pointer(pen(kiosk, Kind::Move, 850, 320, true));
+    CHECK(kiosk.state().tool == ui::Tool::Eraser);  // shown as chosen while it is near
+    CHECK(kiosk.state().eraser_px);
+    kiosk.find->pointer(pen(kiosk, Kind::Down, 850, 305, true));
+    kiosk.find->pointer(pen(kiosk, Kind::Up, 850, 305, true));
+    CHECK(kiosk.strokes() == 0);
+    kiosk.find->pointer(pen(kiosk, Kind::Leave, 850, 305));
+    CHECK(kiosk.state().tool == ui::Tool::Pen);
+    CHECK_FALSE(kiosk.state().eraser_px);
+    CHECK_FALSE(kiosk.state().pen_px);
+}
+
+TEST_CASE("what a palm drew or erased leaves no trace, also not in undo", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    kiosk.event(Kind::Down, 700, 300);
+    kiosk.event(Kind::Move, 800, 300);
+    kiosk.event(Kind::TakeBack, 800, 300);
+    CHECK(kiosk.strokes() == 0);
+    CHECK_FALSE(kiosk.state().can_undo);
+    CHECK_FALSE(kiosk.state().can_redo);
+
+    kiosk.stroke(700, 300, 900, 300);
+    kiosk.tap(kiosk.layout().tools[1]);
+    kiosk.event(Kind::Down, 800, 300);
+    CHECK(kiosk.strokes() == 0);
+    kiosk.event(Kind::TakeBack, 800, 300);
     CHECK(kiosk.strokes() == 1);
+    kiosk.tap(kiosk.layout().tools[2]);  // undoes the stroke, not the erasing
+    CHECK(kiosk.strokes() == 0);
+}
+
+TEST_CASE("ink ahead of the pen is shown, never kept, and ends with the stroke", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    kiosk.find->pointer(pen(kiosk, Kind::Down, 800, 300));
+    kiosk.find->pointer(pen(kiosk, Kind::Move, 820, 300));
+    kiosk.find->look_ahead(pen(kiosk, Kind::Move, 836, 300));
+    REQUIRE_FALSE(kiosk.state().ahead_ink.empty());
+    CHECK(kiosk.state().ahead_ink.back().x1 == Approx(836));
+    CHECK(kiosk.find->sketch().drawing().strokes[0].samples.size() == 2);
+    kiosk.find->look_ahead({});
+    CHECK(kiosk.state().ahead_ink.empty());
+    kiosk.find->look_ahead(pen(kiosk, Kind::Move, 836, 300));
+    kiosk.find->pointer(pen(kiosk, Kind::Up, 830, 300));
+    CHECK(kiosk.state().ahead_ink.empty());
 }

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "firmware_like_app/kiosk/drawing_recorder.hpp"
+#include "input/formats/any_ink.hpp"
 #include "tests/support/figures.hpp"
 
 namespace {
@@ -118,7 +119,7 @@ TEST_CASE("without a searcher the sheet still works, and notices are drawn", "[k
     const Folder folder;
     REQUIRE(app::run_kiosk(headless(folder.path), nullptr, {{"horse", test::make_horse_drawing()}}));
     app::KioskOptions options = headless(folder.path);
-    options.notice = ui::Notice::CollectionDamaged;
+    options.collection = app::CollectionState::Damaged;
     const auto report = app::run_kiosk(options, nullptr, {});
     REQUIRE(report);
     CHECK(report->replays[0].shots.size() == 1);
@@ -151,6 +152,22 @@ TEST_CASE("kept drawings never overwrite each other", "[kiosk]") {
         REQUIRE(recorder.keep(test::make_horse_drawing()));
         REQUIRE(recorder.keep({}));
     }
-    CHECK(bytes_of(folder.path / "drawing-0001.ndjson") == bytes_of(folder.path / "drawing-0002.ndjson"));
-    CHECK_FALSE(std::filesystem::exists(folder.path / "drawing-0003.ndjson"));
+    CHECK(bytes_of(folder.path / "drawing-0001.trace") == bytes_of(folder.path / "drawing-0002.trace"));
+    CHECK_FALSE(std::filesystem::exists(folder.path / "drawing-0003.trace"));
+}
+
+TEST_CASE("a kept drawing reads back to the bit", "[kiosk]") {
+    const Folder folder;
+    const core::Drawing drawn = test::make_horse_drawing();
+    REQUIRE(app::DrawingRecorder(folder.path).keep(drawn));
+    const auto read = input::read_drawing_of_ink((folder.path / "drawing-0001.trace").string());
+    if (!read) FAIL(read.error().sentence());
+    REQUIRE(read->strokes.size() == drawn.strokes.size());
+    for (std::size_t i = 0; i < drawn.strokes.size(); ++i) {
+        REQUIRE(read->strokes[i].samples.size() == drawn.strokes[i].samples.size());
+        for (std::size_t k = 0; k < drawn.strokes[i].samples.size(); ++k) {
+            const core::PenSample &a = read->strokes[i].samples[k], &b = drawn.strokes[i].samples[k];
+            CHECK((a.x == b.x && a.y == b.y && a.pressure == b.pressure));
+        }
+    }
 }

@@ -571,6 +571,26 @@ TEST_CASE("each tablet has one owner", "[devices]") {
     CHECK(hub.take_problems().empty());
 }
 
+TEST_CASE("the hub says that a tablet fell asleep with its pen on it", "[devices]") {
+    MockTablets tablets;
+    tablets.plug_hid(0, same_ranges_descriptor(), false);
+    TestClock clock;
+    input::DeviceNumbers numbers;
+    input::TabletHub hub({.clock = clock.clock(), .numbers = &numbers});
+    std::vector<SourceEvent> events;
+    REQUIRE(wait_for(hub, events, [&] { return count(events, SourceEventKind::Attached) == 1; }));
+    tablets.report(0, report_of({.x = 500, .y = 500}));
+    REQUIRE(wait_for(hub, events, [&] { return count(events, SourceEventKind::Sample) == 1; }));
+    clock.now_ns += 1'900'000'000;
+    hub.drain(events);
+    CHECK(count(events, SourceEventKind::Asleep) == 0);
+    clock.now_ns += 200'000'000;
+    hub.drain(events);
+    hub.drain(events);
+    CHECK(count(events, SourceEventKind::Asleep) == 1);
+    CHECK(count(events, SourceEventKind::Detached) == 0);
+}
+
 TEST_CASE("what stands in the way of opening a node is said with the remedy", "[devices]") {
     input::UdevNode node;
     node.subsystem = "hidraw";

@@ -105,3 +105,25 @@ TEST_CASE("a tip that rests adds no samples", "[sketch]") {
     sketch.end();
     CHECK(sketch.drawing().strokes[0].samples.size() == 2);
 }
+
+TEST_CASE("taking back leaves sheet and history as they were", "[sketch]") {
+    ui::Sketch sketch;
+    sketch.take_back();
+    CHECK(sketch.revision() == 0);
+    sketch.begin({0, 1, 1, 1});
+    sketch.end();
+    const std::uint64_t epoch = sketch.epoch();
+    sketch.begin({0, 5, 5, 1});
+    sketch.extend({0, 6, 5, 1});
+    sketch.take_back();
+    CHECK(sketch.drawing().strokes.size() == 1);
+    CHECK_FALSE(sketch.open());
+    CHECK(sketch.epoch() != epoch);
+    CHECK_FALSE(sketch.can_redo());
+    CHECK(sketch.erase_at({1, 1}, 1));
+    sketch.take_back();
+    REQUIRE(sketch.drawing().strokes.size() == 1);
+    CHECK(sketch.drawing().strokes[0].samples[0].x == 1);
+    sketch.undo();
+    CHECK(sketch.empty());
+}

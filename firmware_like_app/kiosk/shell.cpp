@@ -1,0 +1,321 @@
+#include "firmware_like_app/kiosk/shell.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace app {
+namespace {
+
+constexpr std::int64_t kCornerHold_us = 3'000'000;
+constexpr double kCorner_px = 120;  // of the design
+
+ui::SizePx whole(const ui::Rect& rect) {
+    return {std::max(1, static_cast<int>(rect.width)), std::max(1, static_cast<int>(rect.height))};
+}
+
+}  // namespace
+
+core::Result<std::unique_ptr<Shell>> Shell::create(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages,
+                                                   FindMode& find, Searcher* searcher, const ShellOptions& options,
+                                                   ui::SizePx screen, std::int64_t now_us) {
+    core::Result<ui::Painter> painter = ui::Painter::create(fonts);
+    if (!painter) return core::unexpected(painter.error());
+    core::Result<std::vector<NamedDrawing>> drawings = attract_drawings();
+    if (!drawings) return core::unexpected(drawings.error());
+    core::Result<std::unique_ptr<AttractPlayer>> attract = AttractPlayer::create(std::move(*drawings), searcher);
+    if (!attract) return core::unexpected(attract.error());
+    return std::unique_ptr<Shell>(
+        new Shell(fonts, languages, find, options, screen, std::move(*painter), std::move(*attract), now_us));
+}
+
+Shell::Shell(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages, FindMode& find,
+             const ShellOptions& options, ui::SizePx screen, ui::Painter painter,
+             std::unique_ptr<AttractPlayer> attract, std::int64_t now_us)
+    : languages_(languages),
+      find_(find),
+      options_(options),
+      screen_(screen),
+      station_(options.times, options.collection, now_us),
+      painter_(std::move(painter)),
+      attract_(std::move(attract)),
+      attract_screen_(fonts, languages),
+      notice_screen_(fonts, languages),
+      still_screen_(fonts, languages) {
+    go_on(now_us);
+    entered(now_us);
+}
+
+void Shell::resize(ui::SizePx screen, std::int64_t now_us) {
+    if (screen.width < 1 || screen.height < 1 || screen == screen_) return;
+    screen_ = screen;
+    find_.resize(screen);
+    touch_.cancel();
+    if (scene_ == Scene::Attract) entered(now_us);
+}
+
+/// Follows the station after anything that may have changed its scene.
+void Shell::go_on(std::int64_t now_us) {
+    if (station_.wipes() != wipes_) {
+        wipes_ = station_.wipes();
+        find_.wipe(options_.language, options_.hand);
+    }
+    if (!options_.attract && station_.scene() == Scene::Attract) station_.wake(now_us);
+    note_board();
+    if (station_.scene() != scene_) entered(now_us);
+}
+
+/// The scene is another one: what the last one needed goes, what this one needs comes.
+void Shell::entered(std::int64_t now_us) {
+    touch_.cancel();
+    scene_ = station_.scene();
+    if (scene_ == Scene::Attract) {
+        const ui::AttractLayout layout = ui::attract_layout(screen_, languages_.size());
+        attract_->start(whole(layout.stage), layout.scale.scale * 9, now_us);
+    } else {
+        attract_->stop(painter_);
+    }
+    if (scene_ != Scene::Work) find_.cancel_pointer(now_us);
+}
+
+void Shell::note_board() {
+    std::string key = ui::board_key(notice());
+    if (station_.tablet_is_missed() && station_.collection() == CollectionState::Ready) key = "tablet_lost_board";
+    find_.set_board_key(std::move(key));
+}
+
+ui::Notice Shell::notice() const {
+    switch (station_.collection()) {
+        case CollectionState::Building:
+            return ui::Notice::Building;
+        case CollectionState::Empty:
+            return ui::Notice::NoModels;
+        case CollectionState::Missing:
+            return ui::Notice::CollectionMissing;
+        case CollectionState::Damaged:
+            return ui::Notice::CollectionDamaged;
+        case CollectionState::Stale:
+            return ui::Notice::CollectionStale;
+        case CollectionState::Ready:
+            break;
+    }
+    return station_.tablet_is_missed() ? ui::Notice::NoTablet : ui::Notice::None;
+}
+
+bool Shell::mode_has_input() const {
+    return station_.scene() == Scene::Work;
+}
+
+/// The board's outer corner, where nothing else can be touched for long.
+ui::Rect Shell::corner() const {
+    const ui::FindLayout& layout = find_.layout();
+    const double side = std::max(64.0, layout.px(kCorner_px));
+    const bool at_right = layout.hand == ui::Hand::Left && layout.sheet.y == 0;
+    return {at_right ? screen_.width - side : 0.0, 0, side, side};
+}
+
+void Shell::watch_corner(const ui::WindowEvent& event) {
+    using Kind = ui::WindowEvent::Kind;
+    const bool inside = corner().contains(event.x, event.y);
+    if (event.kind == Kind::Down && inside) corner_since_us_ = event.time_us;
+    if (!tip_down_ || !inside) corner_since_us_.reset();
+}
+
+void Shell::pointer(const ui::WindowEvent& event) {
+    using Kind = ui::WindowEvent::Kind;
+    const bool ends = event.kind == Kind::Up || event.kind == Kind::Leave || event.kind == Kind::TakeBack;
+    if (event.kind == Kind::Down) tip_down_ = true;
+    if (ends) tip_down_ = false;
+    if (event.kind == Kind::Move && !tip_down_) {
+        if (event.pen) pen_near(true, event.time_us);
+    } else {
+        station_.touched(event.time_us);
+    }
+    watch_corner(event);
+    if (swallow_) {
+        swallow_ = !ends;
+        return;
+    }
+    if (mode_has_input()) {
+        find_.pointer(event);
+    } else if (event.kind == Kind::Down) {
+        press(event);
+    } else if (event.kind == Kind::Move) {
+        touch_.move(event.x, event.y);
+    } else if (event.kind == Kind::Up) {
+        release(event);
+    } else {
+        touch_.cancel();
+    }
+    go_on(event.time_us);
+}
+
+void Shell::press(const ui::WindowEvent& event) {
+    if (const auto intent = touch_.press(targets(event.time_us), event.x, event.y)) act(*intent, event.time_us);
+    if (touch_.active()) return;
+    if (station_.scene() == Scene::Attract) {
+        // the tip that wakes does not draw
+        station_.wake(event.time_us);
+        swallow_ = true;
+    } else if (station_.scene() == Scene::StillThere) {
+        // the stroke that answers is a stroke
+        station_.keep_drawing(event.time_us);
+        go_on(event.time_us);
+        if (mode_has_input()) find_.pointer(event);
+    }
+}
+
+void Shell::release(const ui::WindowEvent& event) {
+    touch_.move(event.x, event.y);
+    if (const auto intent = touch_.release()) act(*intent, event.time_us);
+}
+
+void Shell::act(const ui::Intent& intent, std::int64_t now_us) {
+    switch (intent.control) {
+        case ui::Control::Language:
+            find_.set_language(intent.item);
+            break;
+        case ui::Control::HandSwitch:
+            find_.set_hand(find_.hand() == ui::Hand::Right ? ui::Hand::Left : ui::Hand::Right);
+            break;
+        case ui::Control::StartDrawing:
+            station_.leave_notice(now_us);
+            break;
+        case ui::Control::KeepDrawing:
+            station_.keep_drawing(now_us);
+            break;
+        case ui::Control::StartOver:
+            station_.start_over(now_us);
+            break;
+        default:
+            break;
+    }
+}
+
+void Shell::cancel_pointer(std::int64_t now_us) {
+    touch_.cancel();
+    corner_since_us_.reset();
+    swallow_ = tip_down_ = false;
+    find_.cancel_pointer(now_us);
+}
+
+void Shell::pen_near(bool moved, std::int64_t now_us) {
+    station_.pen_near(moved, now_us);
+    if (station_.wake(now_us)) go_on(now_us);
+}
+
+void Shell::open_sheet(std::int64_t now_us) {
+    station_.leave_notice(now_us);
+    station_.wake(now_us);
+    go_on(now_us);
+}
+
+void Shell::set_collection(CollectionState state, const CollectionProgress& progress, std::int64_t now_us) {
+    progress_ = progress;
+    station_.set_collection(state, now_us);
+    go_on(now_us);
+}
+
+void Shell::set_tablet(bool there, std::int64_t now_us) {
+    station_.set_tablet(there, now_us);
+    go_on(now_us);
+}
+
+void Shell::expect_tablet(std::int64_t now_us) {
+    station_.expect_tablet(now_us);
+    go_on(now_us);
+}
+
+void Shell::update(std::int64_t now_us) {
+    if (tip_down_) station_.touched(now_us);
+    station_.set_has_work(find_.has_work());
+    station_.tick(now_us);
+    go_on(now_us);
+    find_.update(now_us);
+    if (scene_ == Scene::Attract) attract_->update(now_us, !options_.every_frame_seen, painter_);
+}
+
+int Shell::update_ink() {
+    return scene_ == Scene::Attract ? attract_->update_ink() : find_.update_ink();
+}
+
+ui::AttractState Shell::attract_state(std::int64_t now_us) const {
+    ui::AttractState state;
+    state.language = find_.language();
+    if (touch_.pressed() == ui::Control::Language) state.pressed_language = touch_.pressed_item();
+    attract_->fill(state, now_us);
+    return state;
+}
+
+ui::NoticeState Shell::notice_state() const {
+    ui::NoticeState state;
+    state.notice = notice();
+    state.language = find_.language();
+    state.pressed = touch_.pressed();
+    state.pressed_item = touch_.pressed_item();
+    state.done = progress_.done;
+    state.total = progress_.total;
+    state.minutes_left = progress_.minutes_left;
+    return state;
+}
+
+ui::StillThereState Shell::still_there_state(std::int64_t now_us) const {
+    ui::StillThereState state;
+    state.language = find_.language();
+    state.pressed = touch_.pressed();
+    const std::int64_t left_us = station_.left_us(now_us);
+    state.seconds = static_cast<int>((left_us + 999'999) / 1'000'000);
+    // the ring moves by its width, not by every frame
+    const double share =
+        static_cast<double>(left_us) / static_cast<double>(std::max<std::int64_t>(1, station_.times().countdown));
+    state.share = std::round(share * 240) / 240;
+    return state;
+}
+
+std::vector<ui::BoardTouch::Target> Shell::targets(std::int64_t now_us) const {
+    switch (station_.scene()) {
+        case Scene::Attract:
+            return attract_screen_.targets(screen_);
+        case Scene::Notice:
+            return notice_screen_.targets(notice_state(), find_.layout());
+        case Scene::StillThere:
+            return still_screen_.targets(still_there_state(now_us), screen_);
+        default:
+            return {};
+    }
+}
+
+Shell::Shown Shell::shown_at(std::int64_t now_us) const {
+    Shown shown{scene_, screen_, find_.hand(), std::monostate{}};
+    if (scene_ == Scene::Attract) shown.state = attract_state(now_us);
+    if (scene_ == Scene::Notice) shown.state = notice_state();
+    if (scene_ == Scene::StillThere) shown.state = still_there_state(now_us);
+    return shown;
+}
+
+bool Shell::changed(std::int64_t now_us) const {
+    if (!shown_ || !(shown_at(now_us) == *shown_)) return true;
+    return mode_has_input() && find_.changed(now_us);
+}
+
+void Shell::draw(std::int64_t now_us, bool flip) {
+    shown_ = shown_at(now_us);
+    switch (scene_) {
+        case Scene::Attract:
+            painter_.paint(attract_screen_.draw(std::get<ui::AttractState>(shown_->state), screen_), screen_, flip);
+            break;
+        case Scene::Notice:
+            painter_.paint(notice_screen_.draw(std::get<ui::NoticeState>(shown_->state), find_.layout()), screen_,
+                           flip);
+            break;
+        case Scene::StillThere:
+            find_.draw(now_us, flip);
+            painter_.paint(still_screen_.draw(std::get<ui::StillThereState>(shown_->state), screen_), screen_, flip);
+            break;
+        default:
+            find_.draw(now_us, flip);
+            break;
+    }
+}
+
+}  // namespace app

@@ -1,0 +1,115 @@
+#pragma once
+// Everything on the screen around the modes: what is shown before, between and after visitors, and for the operator.
+// Holds the state machine (Station), hands input to whatever is on, and draws it.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "firmware_like_app/kiosk/attract_player.hpp"
+#include "firmware_like_app/kiosk/find_mode.hpp"
+#include "firmware_like_app/kiosk/station.hpp"
+#include "ui/screens/attract_screen.hpp"
+#include "ui/screens/notice_screen.hpp"
+#include "ui/screens/still_there_screen.hpp"
+
+namespace app {
+
+struct ShellOptions {
+    StationTimes times;
+    CollectionState collection = CollectionState::Ready;
+    std::size_t language = 0;  ///< of every new visitor
+    ui::Hand hand = ui::Hand::Right;
+    bool attract = true;           ///< false: home is the empty sheet
+    bool every_frame_seen = true;  ///< false: pictures are made on request, and searches are waited for
+};
+
+/// How far the reading of the collection is.
+struct CollectionProgress {
+    std::int64_t done = 0, total = 0;
+    std::optional<int> minutes_left = {};
+};
+
+class Shell {
+  public:
+    /// `searcher` is for the attract picture and may be null. All references must outlive the shell.
+    [[nodiscard]] static core::Result<std::unique_ptr<Shell>> create(const ui::FontSet& fonts,
+                                                                     const std::vector<ui::Strings>& languages,
+                                                                     FindMode& find, Searcher* searcher,
+                                                                     const ShellOptions& options, ui::SizePx screen,
+                                                                     std::int64_t now_us);
+
+    void resize(ui::SizePx screen, std::int64_t now_us);
+    void pointer(const ui::WindowEvent& event);
+    void cancel_pointer(std::int64_t now_us);
+    /// A pen hovers. The first time wakes the attract picture.
+    void pen_near(bool moved, std::int64_t now_us);
+    /// Once a frame.
+    void update(std::int64_t now_us);
+    int update_ink();
+    [[nodiscard]] bool changed(std::int64_t now_us) const;
+    void draw(std::int64_t now_us, bool flip);
+
+    void set_collection(CollectionState state, const CollectionProgress& progress, std::int64_t now_us);
+    void set_tablet(bool there, std::int64_t now_us);
+    void expect_tablet(std::int64_t now_us);
+    /// To the sheet at once, as replays need it.
+    void open_sheet(std::int64_t now_us);
+
+    [[nodiscard]] const Station& station() const { return station_; }
+
+  private:
+    Shell(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages, FindMode& find,
+          const ShellOptions& options, ui::SizePx screen, ui::Painter painter, std::unique_ptr<AttractPlayer> attract,
+          std::int64_t now_us);
+
+    void go_on(std::int64_t now_us);
+    void entered(std::int64_t now_us);
+    void note_board();
+    void press(const ui::WindowEvent& event);
+    void release(const ui::WindowEvent& event);
+    void act(const ui::Intent& intent, std::int64_t now_us);
+    void watch_corner(const ui::WindowEvent& event);
+    [[nodiscard]] bool mode_has_input() const;
+    [[nodiscard]] ui::Rect corner() const;
+    [[nodiscard]] ui::Notice notice() const;
+    [[nodiscard]] std::vector<ui::BoardTouch::Target> targets(std::int64_t now_us) const;
+    [[nodiscard]] ui::AttractState attract_state(std::int64_t now_us) const;
+    [[nodiscard]] ui::NoticeState notice_state() const;
+    [[nodiscard]] ui::StillThereState still_there_state(std::int64_t now_us) const;
+
+    /// What the last frame of a scene showed, but for the modes, which know for themselves.
+    using SceneState = std::variant<std::monostate, ui::AttractState, ui::NoticeState, ui::StillThereState>;
+    struct Shown {
+        Scene scene;
+        ui::SizePx screen;
+        ui::Hand hand;
+        SceneState state;
+        friend bool operator==(const Shown&, const Shown&) = default;
+    };
+    [[nodiscard]] Shown shown_at(std::int64_t now_us) const;
+
+    const std::vector<ui::Strings>& languages_;
+    FindMode& find_;
+    ShellOptions options_;
+    ui::SizePx screen_;
+    Station station_;
+    ui::Painter painter_;
+    std::unique_ptr<AttractPlayer> attract_;
+    ui::AttractScreen attract_screen_;
+    ui::NoticeScreen notice_screen_;
+    ui::StillThereScreen still_screen_;
+
+    ui::BoardTouch touch_;
+    bool swallow_ = false;  // until the tip lifts, nothing more of it counts
+    bool tip_down_ = false;
+    std::optional<std::int64_t> corner_since_us_;
+    Scene scene_ = Scene::Notice;  // that was entered last
+    std::uint64_t wipes_ = 0;
+    CollectionProgress progress_;
+    std::optional<Shown> shown_;
+};
+
+}  // namespace app

@@ -1,0 +1,85 @@
+#include "tests/support/kiosk_stand.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "firmware_like_app/kiosk/placing.hpp"
+
+namespace test {
+namespace {
+
+template <typename T>
+T value_of(core::Result<T> result) {
+    if (!result) throw std::runtime_error(result.error().sentence());
+    return std::move(*result);
+}
+
+}  // namespace
+
+KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOptions find_options)
+    : context_(value_of(ui::make_headless_context())),
+      fonts_(std::make_unique<ui::FontSet>(value_of(ui::FontSet::load()))),
+      languages(value_of(ui::Strings::load_all())),
+      figures(make_animals()),
+      searcher(std::shared_ptr<app::Searcher>(&figures, [](app::Searcher*) {})),
+      size(wanted) {
+    options.every_frame_seen = false;
+    find_options.language = options.language;
+    find_options.hand = options.hand;
+    find = value_of(app::FindMode::create(*fonts_, languages, &searcher, find_options, size));
+    shell = value_of(app::Shell::create(*fonts_, languages, *find, &searcher, options, size, now_us));
+}
+
+void KioskStand::wait(double seconds) {
+    const std::int64_t end = now_us + static_cast<std::int64_t>(seconds * 1e6);
+    while (now_us < end) {
+        now_us = std::min(now_us + (seconds > 10 ? 100'000 : 1'000'000 / 60), end);
+        shell->update(now_us);
+        shell->update_ink();
+    }
+}
+
+void KioskStand::event(ui::WindowEvent::Kind kind, double x, double y) {
+    now_us += 8'000;
+    shell->pointer({kind, x, y, 1.0, now_us, false});
+}
+
+void KioskStand::tap(double x, double y) {
+    event(ui::WindowEvent::Kind::Down, x, y);
+    event(ui::WindowEvent::Kind::Up, x, y);
+}
+
+void KioskStand::stroke(double x0, double y0, double x1, double y1) {
+    event(ui::WindowEvent::Kind::Down, x0, y0);
+    for (int i = 1; i <= 10; ++i) event(ui::WindowEvent::Kind::Move, x0 + (x1 - x0) * i / 10, y0 + (y1 - y0) * i / 10);
+    event(ui::WindowEvent::Kind::Up, x1, y1);
+}
+
+void KioskStand::draw_horse() {
+    const core::Drawing horse = make_horse_drawing();
+    const ui::Rect sheet = find->layout().sheet;
+    const ui::InkFrame frame = app::fit_drawing(horse, sheet.width, sheet.height, 0.14);
+    for (const core::Stroke& stroke : horse.strokes) {
+        bool first = true;
+        core::Point p;
+        for (const core::PenSample& s : stroke.samples) {
+            p = frame.to_px({s.x, s.y}) + core::Point{sheet.x, sheet.y};
+            event(first ? ui::WindowEvent::Kind::Down : ui::WindowEvent::Kind::Move, p.x, p.y);
+            first = false;
+        }
+        event(ui::WindowEvent::Kind::Up, p.x, p.y);
+    }
+    find->search_and_wait(now_us);
+    find->settle(true);
+    shell->update_ink();
+}
+
+core::RgbaImage KioskStand::picture() {
+    shell->update_ink();
+    ui::Target target(size, ui::PixelFormat::Colour);
+    target.bind();
+    shell->draw(now_us, false);
+    return target.read_back();
+}
+
+}  // namespace test

@@ -1,0 +1,45 @@
+#pragma once
+// A kiosk without a screen on a clock that the test moves: taps and strokes in, scenes and pictures out.
+
+#include <memory>
+#include <vector>
+
+#include "firmware_like_app/kiosk/live_searcher.hpp"
+#include "firmware_like_app/kiosk/shell.hpp"
+#include "tests/support/figures.hpp"
+#include "ui/gl/headless_context.hpp"
+
+namespace test {
+
+class KioskStand {
+  public:
+    /// A small collection of built animals. Throws std::runtime_error with the sentence of what is missing.
+    explicit KioskStand(ui::SizePx size, app::ShellOptions options = {}, app::FindOptions find_options = {});
+
+    /// Frames of 1/60 s until that time is over; of 1/10 s where it is longer than ten seconds.
+    void wait(double seconds);
+    void event(ui::WindowEvent::Kind kind, double x, double y);
+    void tap(double x, double y);
+    void tap(const ui::Rect& rect) { tap(rect.centre_x(), rect.centre_y()); }
+    /// A drag across the screen, 12 samples.
+    void stroke(double x0, double y0, double x1, double y1);
+    /// The horse of make_horse_drawing() drawn with the pointer into the middle of the sheet; its answer is waited for.
+    void draw_horse();
+    [[nodiscard]] core::RgbaImage picture();
+    [[nodiscard]] app::Scene scene() const { return shell->station().scene(); }
+
+  private:
+    std::unique_ptr<ui::Context> context_;
+    std::unique_ptr<ui::FontSet> fonts_;
+
+  public:
+    std::vector<ui::Strings> languages;
+    FigureSearcher figures;
+    app::LiveSearcher searcher;
+    std::unique_ptr<app::FindMode> find;
+    std::unique_ptr<app::Shell> shell;
+    std::int64_t now_us = 1'000'000;
+    ui::SizePx size;
+};
+
+}  // namespace test

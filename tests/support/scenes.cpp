@@ -1,0 +1,85 @@
+#include "tests/support/scenes.hpp"
+
+namespace test {
+namespace {
+
+using app::CollectionState;
+
+app::ShellOptions with(CollectionState state) {
+    app::ShellOptions options;
+    options.collection = state;
+    return options;
+}
+
+app::ShellOptions in_language(std::size_t language) {
+    app::ShellOptions options;
+    options.language = language;
+    return options;
+}
+
+void to_sheet(KioskStand& kiosk) {
+    kiosk.shell->open_sheet(kiosk.now_us);
+    kiosk.wait(0.1);
+}
+
+void to_drawing(KioskStand& kiosk) {
+    to_sheet(kiosk);
+    kiosk.draw_horse();
+}
+
+void nothing(KioskStand& kiosk) {
+    kiosk.wait(0.05);
+}
+
+}  // namespace
+
+std::vector<NamedScene> all_scenes() {
+    app::ShellOptions left;
+    left.hand = ui::Hand::Left;
+    return {
+        {"attract-line", {}, [](KioskStand& k) { k.wait(2.6); }},
+        {"attract-form", {}, [](KioskStand& k) { k.wait(5.0); }},
+        {"attract-formed-fr", in_language(1), [](KioskStand& k) { k.wait(7.0); }},
+        {"sheet-empty", {}, to_sheet},
+        {"drawing", {}, to_drawing},
+        {"drawing-left-de",
+         [&] {
+             auto o = left;
+             o.language = 2;
+             return o;
+         }(),
+         to_drawing},
+        {"still-there",
+         {},
+         [](KioskStand& k) {
+             to_drawing(k);
+             k.wait(66.2);
+         }},
+        {"still-there-de", in_language(2),
+         [](KioskStand& k) {
+             to_drawing(k);
+             k.wait(71);
+         }},
+        {"no-tablet",
+         {},
+         [](KioskStand& k) {
+             k.shell->expect_tablet(k.now_us);
+             k.wait(0.05);
+         }},
+        {"no-models", with(CollectionState::Empty), nothing},
+        {"missing", with(CollectionState::Missing), nothing},
+        {"damaged", with(CollectionState::Damaged), nothing},
+        {"stale", with(CollectionState::Stale), nothing},
+        {"building", with(CollectionState::Building),
+         [](KioskStand& k) {
+             k.shell->set_collection(CollectionState::Building, {412, 1258, 6}, k.now_us);
+             k.wait(0.05);
+         }},
+    };
+}
+
+std::vector<ui::SizePx> all_sizes() {
+    return {{1920, 1080}, {1280, 800}, {3840, 2160}, {1080, 1920}};
+}
+
+}  // namespace test

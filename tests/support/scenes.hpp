@@ -1,0 +1,22 @@
+#pragma once
+// Every screen of the kiosk, each with the way to it.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/support/kiosk_stand.hpp"
+
+namespace test {
+
+struct NamedScene {
+    std::string name;
+    app::ShellOptions options;
+    std::function<void(KioskStand&)> go;
+};
+
+[[nodiscard]] std::vector<NamedScene> all_scenes();
+/// 1920 × 1080, 1280 × 800, 3840 × 2160, 1080 × 1920.
+[[nodiscard]] std::vector<ui::SizePx> all_sizes();
+
+}  // namespace test

@@ -1,0 +1,216 @@
+#include "firmware_like_app/kiosk/shell.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/kiosk_stand.hpp"
+
+using app::CollectionState;
+using app::Scene;
+using Kind = ui::WindowEvent::Kind;
+
+namespace {
+
+constexpr ui::SizePx kSize{1280, 800};
+
+std::size_t strokes(const test::KioskStand& kiosk) {
+    return kiosk.find->sketch().drawing().strokes.size();
+}
+
+app::ShellOptions with(CollectionState state) {
+    app::ShellOptions options;
+    options.collection = state;
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("the first tip wakes without drawing, the second draws", "[shell]") {
+    test::KioskStand kiosk(kSize);
+    REQUIRE(kiosk.scene() == Scene::Attract);
+    kiosk.stroke(800, 300, 1000, 400);
+    CHECK(kiosk.scene() == Scene::Work);
+    CHECK(strokes(kiosk) == 0);
+    kiosk.stroke(800, 300, 1000, 400);
+    CHECK(strokes(kiosk) == 1);
+}
+
+TEST_CASE("a near pen wakes, and its tip then draws", "[shell]") {
+    test::KioskStand kiosk(kSize);
+    kiosk.shell->pen_near(true, kiosk.now_us);
+    CHECK(kiosk.scene() == Scene::Work);
+    kiosk.stroke(800, 300, 1000, 400);
+    CHECK(strokes(kiosk) == 1);
+}
+
+TEST_CASE("the language switch of attract chooses and does not wake; a wipe takes it back", "[shell]") {
+    test::KioskStand kiosk(kSize);
+    const ui::AttractLayout layout = ui::attract_layout(kSize, kiosk.languages.size());
+    kiosk.tap(ui::switch_segments(layout.language, kiosk.languages.size())[2]);
+    CHECK(kiosk.scene() == Scene::Attract);
+    CHECK(kiosk.find->language() == 2);
+    kiosk.wait(31);
+    CHECK(kiosk.find->language() == 0);
+}
+
+TEST_CASE("attract draws, forms and goes on to the next drawing, and never shows a visitor's", "[shell]") {
+    test::KioskStand kiosk(kSize);
+    kiosk.wait(1);
+    const auto one = kiosk.picture().pixels;
+    kiosk.wait(1);
+    const auto two = kiosk.picture().pixels;
+    const bool moved = one != two;
+    CHECK(moved);
+    kiosk.wait(5.5);
+    const auto formed = kiosk.picture().pixels;
+    const bool has_form = formed != two;
+    CHECK(has_form);
+    CHECK(kiosk.find->sketch().empty());
+    kiosk.wait(6.2);
+    const bool went_on = kiosk.picture().pixels != formed;
+    CHECK(went_on);
+}
+
+TEST_CASE("after an idle wipe the screen shows exactly what it showed to the first visitor", "[shell]") {
+    // pixels are compared as a whole: a million numbers in a message help nobody
+    const auto empty_sheet = [](test::KioskStand& kiosk) {
+        kiosk.tap(900, 400);
+        kiosk.wait(0.5);
+        return kiosk.picture().pixels;
+    };
+    const std::vector<std::uint8_t> expected = [&] {
+        test::KioskStand fresh(kSize);
+        return empty_sheet(fresh);
+    }();
+    test::KioskStand used(kSize);
+    used.tap(900, 400);
+    used.draw_horse();
+    used.tap(used.find->layout().hand_switch);
+    used.find->set_language(1);
+    REQUIRE(strokes(used) > 0);
+    used.wait(82);
+    REQUIRE(used.scene() == Scene::Attract);
+    CHECK(strokes(used) == 0);
+    CHECK_FALSE(used.find->sketch().can_undo());
+    const bool same = empty_sheet(used) == expected;
+    CHECK(same);
+}
+
+TEST_CASE("still there: its buttons work, and the stroke that answers is drawn", "[shell]") {
+    test::KioskStand kiosk(kSize);
+    kiosk.tap(900, 400);
+    kiosk.stroke(800, 300, 1000, 400);
+    kiosk.wait(61);
+    REQUIRE(kiosk.scene() == Scene::StillThere);
+    kiosk.stroke(800, 200, 1000, 250);
+    CHECK(kiosk.scene() == Scene::Work);
+    CHECK(strokes(kiosk) == 2);
+
+    kiosk.wait(61);
+    REQUIRE(kiosk.scene() == Scene::StillThere);
+    kiosk.tap(560, 580);  // keep drawing
+    CHECK(kiosk.scene() == Scene::Work);
+    CHECK(strokes(kiosk) == 2);
+
+    kiosk.wait(61);
+    REQUIRE(kiosk.scene() == Scene::StillThere);
+    kiosk.tap(750, 580);  // start over
+    CHECK(kiosk.scene() == Scene::Attract);
+    CHECK(strokes(kiosk) == 0);
+}
+
+TEST_CASE("a tip that is held down is somebody", "[shell]") {
+    test::KioskStand kiosk(kSize);
+    kiosk.tap(900, 400);
+    kiosk.event(Kind::Down, 900, 400);
+    kiosk.wait(300);
+    CHECK(kiosk.scene() == Scene::Work);
+    kiosk.event(Kind::Up, 900, 400);
+    kiosk.wait(61);
+    CHECK(kiosk.scene() == Scene::StillThere);
+}
+
+TEST_CASE("a mouse that only moves wakes nobody and is nobody", "[shell]") {
+    test::KioskStand kiosk(kSize);
+    kiosk.event(Kind::Move, 900, 400);
+    CHECK(kiosk.scene() == Scene::Attract);
+}
+
+TEST_CASE("notices: each has a way to the sheet, and the board then says what is missing", "[shell]") {
+    test::KioskStand ready(kSize);
+    for (const CollectionState state :
+         {CollectionState::Empty, CollectionState::Missing, CollectionState::Damaged, CollectionState::Stale}) {
+        test::KioskStand kiosk(kSize, with(state));
+        REQUIRE(kiosk.scene() == Scene::Notice);
+        kiosk.stroke(900, 200, 1000, 250);
+        CHECK(kiosk.scene() == Scene::Notice);
+        kiosk.tap(640, 540);
+        CHECK(kiosk.scene() == Scene::Work);
+        CHECK(kiosk.find->state(kiosk.now_us).board_message != ready.find->state(ready.now_us).board_message);
+        kiosk.stroke(900, 200, 1000, 250);
+        CHECK(strokes(kiosk) == 1);
+        kiosk.wait(82);
+        CHECK(kiosk.scene() == Scene::Notice);
+    }
+}
+
+TEST_CASE("while the collection is read visitors draw, and its page goes when it is ready", "[shell]") {
+    test::KioskStand kiosk(kSize, with(CollectionState::Building));
+    kiosk.shell->set_collection(CollectionState::Building, {3, 10, {}}, kiosk.now_us);
+    const auto before = kiosk.picture().pixels;
+    kiosk.shell->set_collection(CollectionState::Building, {9, 10, 1}, kiosk.now_us);
+    CHECK(kiosk.shell->changed(kiosk.now_us));
+    const bool counted = kiosk.picture().pixels != before;
+    CHECK(counted);
+    kiosk.tap(640, 555);
+    CHECK(kiosk.scene() == Scene::Work);
+    kiosk.wait(31);
+    CHECK(kiosk.scene() == Scene::Notice);
+    kiosk.shell->set_collection(CollectionState::Ready, {}, kiosk.now_us);
+    CHECK(kiosk.scene() == Scene::Attract);
+}
+
+TEST_CASE("a lost tablet is a note on the board, and a page only at home", "[shell]") {
+    test::KioskStand kiosk(kSize);
+    kiosk.shell->set_tablet(true, kiosk.now_us);
+    kiosk.tap(900, 400);
+    const std::string before = kiosk.find->state(kiosk.now_us).board_message;
+    kiosk.shell->set_tablet(false, kiosk.now_us);
+    CHECK(kiosk.scene() == Scene::Work);
+    CHECK(kiosk.find->state(kiosk.now_us).board_message != before);
+    kiosk.wait(31);
+    CHECK(kiosk.scene() == Scene::Notice);
+    kiosk.shell->set_tablet(true, kiosk.now_us);
+    CHECK(kiosk.scene() == Scene::Attract);
+}
+
+TEST_CASE("without attract the empty sheet is home", "[shell]") {
+    app::ShellOptions options;
+    options.attract = false;
+    test::KioskStand kiosk(kSize, options);
+    CHECK(kiosk.scene() == Scene::Work);
+    kiosk.stroke(800, 300, 1000, 400);
+    CHECK(strokes(kiosk) == 1);
+    kiosk.wait(82);
+    CHECK(kiosk.scene() == Scene::Work);
+    CHECK(strokes(kiosk) == 0);
+}
+
+TEST_CASE("a resize on attract, on a notice and under the question keeps the scene", "[shell]") {
+    test::KioskStand kiosk(kSize);
+    kiosk.wait(1);
+    for (const ui::SizePx size : {ui::SizePx{800, 600}, ui::SizePx{1080, 1920}, kSize}) {
+        kiosk.size = size;
+        kiosk.shell->resize(size, kiosk.now_us);
+        kiosk.wait(0.5);
+        CHECK(kiosk.scene() == Scene::Attract);
+        CHECK(kiosk.picture().width == size.width);
+    }
+    kiosk.tap(900, 400);
+    kiosk.stroke(800, 300, 1000, 400);
+    kiosk.wait(61);
+    kiosk.size = {1080, 1920};
+    kiosk.shell->resize(kiosk.size, kiosk.now_us);
+    CHECK(kiosk.scene() == Scene::StillThere);
+    CHECK(strokes(kiosk) == 1);
+    CHECK(kiosk.picture().height == 1920);
+}

@@ -1,0 +1,63 @@
+#pragma once
+// A model that may be seen from anywhere, for pictures that move: uploaded once, drawn again for every view.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "ui/draw/model_geometry.hpp"
+#include "ui/gl/objects.hpp"
+
+namespace ui {
+
+/// A place where the model stands on the ground: a disc that casts a soft shadow.
+struct GroundContact {
+    core::Vec3 centre;
+    double radius = 0;
+};
+
+/// Discs under what lies within 4 % of the lowest point along `up` (unit). Linear in corners.
+[[nodiscard]] std::vector<GroundContact> find_ground_contacts(const ModelGeometry& geometry, core::Vec3 up);
+
+/// The camera turned about the up of `base` by `azimuth` and then raised by `elevation`, both in radians.
+[[nodiscard]] core::Camera orbited(const core::Camera& base, double azimuth, double elevation);
+
+/// How the model lies in the picture.
+struct StageView {
+    core::Camera camera;
+    double scale_px = 100;          ///< pixels a unit of the normalised frame
+    core::Point centre_px;          ///< where its origin appears, y down
+    bool mirrored = false;          ///< shown flipped left-right
+    core::Vec3 ground_up{0, 1, 0};  ///< normal of the ground its contacts lie on
+    bool own_colours = false;       ///< the geometry's colours instead of clay
+    friend bool operator==(const StageView&, const StageView&) = default;
+
+    /// Where a point of the normalised frame appears.
+    [[nodiscard]] core::Point to_px(core::Vec3 p) const;
+};
+
+class ModelStage {
+  public:
+    [[nodiscard]] static core::Result<ModelStage> create();
+
+    /// What is drawn from now on. Uploads it.
+    void set_model(const ModelGeometry& geometry, std::vector<GroundContact> contacts);
+    void clear_model();
+    /// The model with its shadow on a transparent ground, four samples a pixel. Cost: the model's triangles.
+    void draw(const StageView& view, SizePx size);
+    /// Of the last draw.
+    [[nodiscard]] const Texture& texture() const { return target_.texture(); }
+    [[nodiscard]] core::RgbaImage read_back() const { return target_.read_back(); }
+
+  private:
+    ModelStage(Program model, Program soft);
+    void draw_shadows(const StageView& view);
+    Program model_program_, soft_program_;
+    VertexStream corners_, shadows_;
+    Texture no_parts_;
+    Target target_;
+    int corner_count_ = 0;
+    std::vector<GroundContact> contacts_;
+};
+
+}  // namespace ui
