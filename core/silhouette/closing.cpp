@@ -4,15 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <utility>
+
+#include "core/silhouette/closing_levels.hpp"
+#include "core/silhouette/far_off.hpp"
 
 namespace core {
 namespace {
-
-constexpr int kRadii = 9;             // radii tried besides 0: the closing radius and its fractions
-constexpr double kRadiusStep = 1.4;   // each of them is this much smaller than the one before
-constexpr double kFarOffShare = 0.7;  // an object smaller than this share of the raster is laid out again
-constexpr float kTouching = 1.5F;     // 8-neighbours
 
 cv::Mat view(BinaryImage& image) {
     return {image.height, image.width, CV_8UC1, image.pixels.data()};
@@ -39,7 +38,7 @@ void fill_holes(cv::Mat& mask) {
 }
 
 /// Removes from `cores` the connected regions that nowhere lie farther than `least_px` from ink.
-void keep_roomy(cv::Mat& cores, const cv::Mat& from_ink, double least_px) {
+void keep_roomy(cv::Mat& cores, const cv::Mat& from_ink, float least_px) {
     cv::Mat labels;
     const int count = cv::connectedComponents(cores, labels, 4, CV_32S);
     std::vector<float> room(static_cast<std::size_t>(count), 0.0F);
@@ -55,24 +54,32 @@ void keep_roomy(cv::Mat& cores, const cv::Mat& from_ink, double least_px) {
         const int* label = labels.ptr<int>(y);
         auto* core_row = cores.ptr<std::uint8_t>(y);
         for (int x = 0; x < cores.cols; ++x) {
-            if (room[static_cast<std::size_t>(label[x])] < static_cast<float>(least_px)) core_row[x] = 0;
+            if (room[static_cast<std::size_t>(label[x])] < least_px) core_row[x] = 0;
         }
     }
 }
 
-/// Ink and every region that it encloses up to gaps of 2 r, for a series of r up to `closing_px`.
-cv::Mat close_and_fill(const cv::Mat& ink, double closing_px, double room) {
-    const int border = static_cast<int>(std::ceil(closing_px)) + 2;  // so that the widest walls leave a way round
+/// A distance between those of two neighbouring squares, so that comparing with it is exact.
+float above(int squared) {
+    return static_cast<float>(std::sqrt(squared + 0.5));
+}
+
+/// Ink and every region that it encloses up to gaps of 2 r, for a series of r. A region that was filled at one radius
+/// is left alone at the larger ones.
+cv::Mat close_and_fill(const cv::Mat& ink, const ClosingLevels& closing) {
+    const int border = closing.border;  // so that the widest walls leave a way round
     cv::Mat result;
     cv::copyMakeBorder(ink, result, border, border, border, border, cv::BORDER_CONSTANT, cv::Scalar(0));
     const cv::Mat from_ink = distance_to(result);
-    fill_holes(result);
-    double r = closing_px * std::pow(kRadiusStep, -(kRadii - 1));
-    for (int step = 0; step < kRadii; ++step, r *= kRadiusStep) {
-        cv::Mat cores = enclosed_by(from_ink <= r);
-        if (cv::countNonZero(cores & (result == 0)) == 0) continue;
-        keep_roomy(cores, from_ink, r * (1.0 + (room - 1.0) * (0.4 + 0.6 * r / closing_px)));
-        if (cv::countNonZero(cores) > 0) result.setTo(1, distance_to(cores) <= r);
+    cv::Mat taken = enclosed_by(result);
+    result.setTo(1, taken);
+    for (const ClosingLevel& level : closing.levels) {
+        cv::Mat cores = enclosed_by(from_ink <= above(level.wall2)) & ~taken;
+        if (cv::countNonZero(cores) == 0) continue;
+        keep_roomy(cores, from_ink, above(level.room2 - 1));
+        if (cv::countNonZero(cores) == 0) continue;
+        taken |= cores;
+        result.setTo(1, distance_to(cores) <= above(level.wall2));
     }
     fill_holes(result);
     return result(cv::Rect(border, border, ink.cols, ink.rows)).clone();
@@ -95,56 +102,75 @@ Pieces pieces_of(const cv::Mat& mask) {
     return pieces;
 }
 
-/// The pixel of piece `label` that is nearest to the object, with its distance; the first in row order of equals.
-std::pair<cv::Point, float> nearest_pixel(const Pieces& pieces, int label, const cv::Mat& from_object) {
-    std::pair<cv::Point, float> best{{0, 0}, std::numeric_limits<float>::max()};
+/// Where a piece is nearest to the object: the first such pixel of the piece in row order, and the first pixel of the
+/// object, likewise, that is as near to it. Nothing when they are farther apart than the square root of `most2`.
+struct Bridge {
+    cv::Point from, to;
+};
+std::optional<Bridge> nearest(const Pieces& pieces, int label, const cv::Mat& object, const cv::Mat& from_object,
+                              int most2) {
     const cv::Rect box(pieces.stats.at<int>(label, cv::CC_STAT_LEFT), pieces.stats.at<int>(label, cv::CC_STAT_TOP),
                        pieces.stats.at<int>(label, cv::CC_STAT_WIDTH), pieces.stats.at<int>(label, cv::CC_STAT_HEIGHT));
+    std::pair<cv::Point, float> best{{0, 0}, std::numeric_limits<float>::max()};
     for (int y = box.y; y < box.y + box.height; ++y) {
         for (int x = box.x; x < box.x + box.width; ++x) {
-            if (pieces.labels.at<int>(y, x) != label) continue;
-            if (from_object.at<float>(y, x) < best.second) best = {{x, y}, from_object.at<float>(y, x)};
+            if (pieces.labels.at<int>(y, x) != label || from_object.at<float>(y, x) >= best.second) continue;
+            best = {{x, y}, from_object.at<float>(y, x)};
         }
     }
-    return best;
-}
-
-/// Walks down the distances from `start` to the object.
-cv::Point foot_of(cv::Point start, const cv::Mat& from_object) {
-    cv::Point at = start;
-    for (;;) {
-        cv::Point lowest = at;
-        for (int dy = -1; dy <= 1; ++dy) {
-            for (int dx = -1; dx <= 1; ++dx) {
-                const cv::Point next(at.x + dx, at.y + dy);
-                if (!cv::Rect({0, 0}, from_object.size()).contains(next)) continue;
-                if (from_object.at<float>(next) < from_object.at<float>(lowest)) lowest = next;
-            }
+    if (best.second > above(most2)) return std::nullopt;
+    const auto gap2 = static_cast<int>(std::lround(best.second * best.second));
+    const int reach = static_cast<int>(std::ceil(best.second));
+    for (int y = best.first.y - reach; y <= best.first.y + reach; ++y) {
+        for (int x = best.first.x - reach; x <= best.first.x + reach; ++x) {
+            const int dx = x - best.first.x, dy = y - best.first.y;
+            if (dx * dx + dy * dy != gap2 || !cv::Rect({0, 0}, object.size()).contains({x, y})) continue;
+            if (object.at<std::uint8_t>(y, x) != 0) return Bridge{best.first, {x, y}};
         }
-        if (lowest == at) return at;
-        at = lowest;
     }
+    return std::nullopt;
 }
 
-/// The largest piece, and every other piece that is no stray mark and lies near it or near one already joined.
-cv::Mat join_pieces(const cv::Mat& mask, double joining_px, double stray_px, int stroke_px) {
+/// The piece with the largest area; of equals the one that comes first in row order.
+int largest_of(const Pieces& pieces) {
+    int largest = 0;
+    for (int y = 0; y < pieces.labels.rows; ++y) {
+        for (int x = 0; x < pieces.labels.cols; ++x) {
+            const int label = pieces.labels.at<int>(y, x);
+            if (label == 0 || label == largest) continue;
+            if (largest == 0 || pieces.area(label) > pieces.area(largest)) largest = label;
+        }
+    }
+    return largest;
+}
+
+void draw_bridge(cv::Mat& object, const Bridge& bridge, std::int64_t half) {
+    const FixedPoint a{bridge.from.x * kSubpixels, bridge.from.y * kSubpixels};
+    const FixedPoint b{bridge.to.x * kSubpixels, bridge.to.y * kSubpixels};
+    each_capsule_run(a, b, half, [&](int y, int x0, int x1) {
+        if (y < 0 || y >= object.rows) return;
+        for (int x = std::max(x0, 0); x <= std::min(x1, object.cols - 1); ++x) object.at<std::uint8_t>(y, x) = 1;
+    });
+}
+
+/// The largest piece, and every other piece that is no stray mark and lies near it or near one already joined. A
+/// negative join2 joins nothing.
+cv::Mat join_pieces(const cv::Mat& mask, int join2, double stray_px, std::int64_t half) {
     const Pieces pieces = pieces_of(mask);
-    int largest = 1;
-    for (int label = 2; label < pieces.count; ++label) {
-        if (pieces.area(label) > pieces.area(largest)) largest = label;
-    }
+    const int largest = largest_of(pieces);
     cv::Mat object = (pieces.labels == largest) & 1;
     std::vector<int> waiting;
     for (int label = 1; label < pieces.count; ++label) {
-        if (label != largest && pieces.diagonal(label) >= stray_px) waiting.push_back(label);
+        const bool may_join = label != largest && join2 >= 0 && pieces.diagonal(label) >= stray_px;
+        if (may_join) waiting.push_back(label);
     }
     for (bool grown = true; grown && !waiting.empty();) {
         grown = false;
-        const cv::Mat from_object = distance_to(object);
+        const cv::Mat before = object.clone(), from_object = distance_to(object);
         std::erase_if(waiting, [&](int label) {
-            const auto [start, gap] = nearest_pixel(pieces, label, from_object);
-            if (gap > static_cast<float>(joining_px) + kTouching) return false;
-            cv::line(object, start, foot_of(start, from_object), cv::Scalar(1), stroke_px);
+            const std::optional<Bridge> bridge = nearest(pieces, label, before, from_object, join2);
+            if (!bridge) return false;
+            draw_bridge(object, *bridge, half);
             object.setTo(1, pieces.labels == label);
             return grown = true;
         });
@@ -153,18 +179,15 @@ cv::Mat join_pieces(const cv::Mat& mask, double joining_px, double stray_px, int
     return object;
 }
 
-Silhouette close_ink(Ink ink, const Frame& frame, const SilhouetteOptions& options) {
+Silhouette close_ink(Ink ink, const ClosingLevels& closing) {
     const cv::Mat mask = view(ink.mask);
-    const double diagonal_px = frame.diagonal() * ink.raster.scale;
     cv::Mat object;
     if (ink.filled) {
         cv::Mat filled = mask.clone();
         fill_holes(filled);
-        object = join_pieces(filled, -kTouching, 0.0, 1);
+        object = join_pieces(filled, -1, 0.0, 0);
     } else {
-        const int stroke_px = std::max(1, static_cast<int>(std::lround(options.ink.stroke_share * diagonal_px)));
-        object = join_pieces(close_and_fill(mask, options.closing_share * diagonal_px, options.room),
-                             options.joining_share * diagonal_px, options.stray_share * diagonal_px, stroke_px);
+        object = join_pieces(close_and_fill(mask, closing), closing.join2, closing.stray, closing.half);
     }
     Silhouette silhouette{BinaryImage(object.cols, object.rows), ink.raster};
     object.copyTo(view(silhouette.image));
@@ -180,22 +203,48 @@ Frame frame_of_object(const Silhouette& silhouette) {
     return {a.x, a.y, b.x, b.y};
 }
 
-template <typename Source>
-Result<Silhouette> find_in(const Source& source, const Frame& frame, const SilhouetteOptions& options) {
-    Result<Ink> ink = ink_of(source, frame, options.ink);
+Result<Silhouette> find_in(const GrayImage& strength, const SilhouetteOptions& options) {
+    const Frame frame = frame_of(strength, options.ink);
+    Result<Ink> ink = ink_of(strength, frame, options.ink);
     if (!ink) return unexpected(ink.error());
-    Silhouette first = close_ink(std::move(*ink), frame, options);
+    const double diagonal_px = ink->diagonal_px;
+    Silhouette first = close_ink(std::move(*ink), closing_levels(options, diagonal_px));
     const Frame object = frame_of_object(first);
     if (std::max(object.width(), object.height()) > kFarOffShare * std::max(frame.width(), frame.height()))
         return first;
-    ink = ink_of(source, object, options.ink);
+    ink = ink_of(strength, object, options.ink);
     if (!ink) return first;
-    return close_ink(std::move(*ink), object, options);
+    const double object_diagonal_px = ink->diagonal_px;
+    return close_ink(std::move(*ink), closing_levels(options, object_diagonal_px));
+}
+
+Silhouette close_drawing(const Drawing& drawing, const DrawingLayout& layout, const SilhouetteOptions& options) {
+    const ClosingLevels closing = closing_levels(options, layout.diagonal_px);
+    return close_ink(ink_of(drawing, layout, closing.half, closing.border), closing);
+}
+
+/// The object's box on the drawing's grid.
+GridBox box_of_object(const Silhouette& silhouette, const GridBox& drawing, int border) {
+    BinaryImage image = silhouette.image;
+    const cv::Rect box = cv::boundingRect(view(image));
+    const int left = drawing.left - border, top = drawing.top - border;
+    return {left + box.x, top + box.y, left + box.x + box.width - 1, top + box.y + box.height - 1};
+}
+
+Result<Silhouette> find_in(const Drawing& drawing, const SilhouetteOptions& options) {
+    const Result<DrawingLayout> layout = layout_of(drawing, options.ink);
+    if (!layout) return unexpected(layout.error());
+    Silhouette first = close_drawing(drawing, *layout, options);
+    const GridBox all = box_of(drawing, *layout);
+    const GridBox object = box_of_object(first, all, closing_levels(options, layout->diagonal_px).border);
+    if (!rest_is_far_off(object, all)) return first;
+    const Drawing near = part_within(drawing, *layout, object);
+    const Result<DrawingLayout> near_layout = layout_of(near, options.ink);
+    return near_layout ? close_drawing(near, *near_layout, options) : first;
 }
 
 template <typename Source>
-Result<std::vector<Silhouette>> readings_in(const Source& source, const Frame& frame,
-                                            const SilhouetteOptions& options) {
+Result<std::vector<Silhouette>> readings_in(const Source& source, const SilhouetteOptions& options) {
     SilhouetteOptions tight = options, wide = options;
     tight.closing_share /= 3.0;
     tight.joining_share = 0.0;
@@ -203,7 +252,7 @@ Result<std::vector<Silhouette>> readings_in(const Source& source, const Frame& f
     wide.joining_share *= 2.5;
     std::vector<Silhouette> readings;
     for (const SilhouetteOptions& reading : {options, tight, wide}) {
-        Result<Silhouette> found = find_in(source, frame, reading);
+        Result<Silhouette> found = find_in(source, reading);
         if (!found) return unexpected(found.error());
         const bool known = std::any_of(readings.begin(), readings.end(), [&](const Silhouette& other) {
             return other.image.width == found->image.width && other.image.pixels == found->image.pixels;
@@ -221,12 +270,11 @@ Result<BinaryImage> image_of(Result<Silhouette> found) {
 }  // namespace
 
 Result<Silhouette> find_silhouette(const Drawing& drawing, const SilhouetteOptions& options) {
-    return find_in(drawing, frame_of(drawing), options);
+    return find_in(drawing, options);
 }
 
 Result<Silhouette> find_silhouette(const GrayImage& page, const SilhouetteOptions& options) {
-    const GrayImage strength = ink_strength(page);
-    return find_in(strength, frame_of(strength, options.ink), options);
+    return find_in(ink_strength(page), options);
 }
 
 Result<BinaryImage> silhouette_of(const Drawing& drawing, const SilhouetteOptions& options) {
@@ -238,12 +286,11 @@ Result<BinaryImage> silhouette_of(const GrayImage& page, const SilhouetteOptions
 }
 
 Result<std::vector<Silhouette>> silhouette_readings(const Drawing& drawing, const SilhouetteOptions& options) {
-    return readings_in(drawing, frame_of(drawing), options);
+    return readings_in(drawing, options);
 }
 
 Result<std::vector<Silhouette>> silhouette_readings(const GrayImage& page, const SilhouetteOptions& options) {
-    const GrayImage strength = ink_strength(page);
-    return readings_in(strength, frame_of(strength, options.ink), options);
+    return readings_in(ink_strength(page), options);
 }
 
 }  // namespace core

@@ -125,30 +125,68 @@ Frame frame_of(const Drawing& drawing) {
     return frame;
 }
 
-Result<Ink> ink_of(const Drawing& drawing, const Frame& frame, const InkOptions& options) {
-    if (frame.right < frame.left) return empty_page();
-    if (!(frame.diagonal() > std::max(options.least_diagonal, 1e-9))) return only_a_dot();
-    Ink ink;
-    ink.raster = fit(frame, options.raster_px, options.margin_px, ink.mask);
-    const double diagonal_px = frame.diagonal() * ink.raster.scale;
-    const int width_px = std::max(1, static_cast<int>(std::lround(options.stroke_share * diagonal_px)));
+FixedPoint DrawingLayout::place(const PenSample& sample) const {
+    constexpr auto kPart = static_cast<double>(kSubpixels);
+    return {std::llround((sample.x - origin.x) * scale * kPart), std::llround((sample.y - origin.y) * scale * kPart)};
+}
 
-    constexpr int kSubpixelBits = 4;
-    cv::Mat mask = view(ink.mask);
-    const cv::Rect2d sheet(-1e4, -1e4, 2e4 + mask.cols, 2e4 + mask.rows);
-    const auto place = [&](const PenSample& s) { return ink.raster.to_raster({s.x, s.y}); };
-    const auto fixed = [](Point p) {
-        return cv::Point(cvRound(p.x * (1 << kSubpixelBits)), cvRound(p.y * (1 << kSubpixelBits)));
-    };
+Result<DrawingLayout> layout_of(Point first, const Frame& frame, const InkOptions& options) {
+    constexpr double kSteps = 4;  // of the scale in an octave
+    if (frame.right < frame.left) return empty_page();
+    const double diagonal = frame.diagonal();
+    if (!(diagonal > std::max(options.least_diagonal, 1e-9)) || !std::isfinite(diagonal)) return only_a_dot();
+    double step = std::floor(std::log2(options.diagonal_px / diagonal) * kSteps);
+    while (std::exp2(step / kSteps) * diagonal > options.diagonal_px) --step;
+    while (std::exp2((step + 1) / kSteps) * diagonal <= options.diagonal_px) ++step;
+    return DrawingLayout{std::exp2(step / kSteps), first, options.diagonal_px * std::exp2(-0.5 / kSteps)};
+}
+
+Result<DrawingLayout> layout_of(const Drawing& drawing, const InkOptions& options) {
+    Point first;
+    for (const Stroke& stroke : drawing.strokes) {
+        if (stroke.samples.empty()) continue;
+        first = {stroke.samples[0].x, stroke.samples[0].y};
+        break;
+    }
+    return layout_of(first, frame_of(drawing), options);
+}
+
+void GridBox::take(FixedPoint p) {
+    const auto left_of = static_cast<int>(floor_div(p.x, kSubpixels)),
+               top_of = static_cast<int>(floor_div(p.y, kSubpixels));
+    const int right_of = left_of + (p.x % kSubpixels != 0 ? 1 : 0),
+              bottom_of = top_of + (p.y % kSubpixels != 0 ? 1 : 0);
+    if (empty()) *this = {left_of, top_of, right_of, bottom_of};
+    left = std::min(left, left_of);
+    top = std::min(top, top_of);
+    right = std::max(right, right_of);
+    bottom = std::max(bottom, bottom_of);
+}
+
+GridBox box_of(const Drawing& drawing, const DrawingLayout& layout) {
+    GridBox box;
+    for (const Stroke& stroke : drawing.strokes) {
+        for (const PenSample& s : stroke.samples) box.take(layout.place(s));
+    }
+    return box;
+}
+
+Ink ink_of(const Drawing& drawing, const DrawingLayout& layout, std::int64_t half, int border) {
+    const GridBox box = box_of(drawing, layout);
+    const int left = box.left - border, top = box.top - border;
+    Ink ink;
+    ink.diagonal_px = layout.diagonal_px;
+    ink.raster = {layout.scale, Point{-layout.origin.x * layout.scale - left, -layout.origin.y * layout.scale - top}};
+    ink.mask = BinaryImage(box.right + border - left + 1, box.bottom + border - top + 1);
     for (const Stroke& stroke : drawing.strokes) {
         for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
-            const Point from = place(stroke.samples[i > 0 ? i - 1 : 0]);
-            const Point to = place(stroke.samples[i]);
-            if (!sheet.contains({from.x, from.y}) || !sheet.contains({to.x, to.y})) continue;
-            cv::line(mask, fixed(from), fixed(to), cv::Scalar(1), width_px, cv::LINE_8, kSubpixelBits);
+            const FixedPoint a = layout.place(stroke.samples[i > 0 ? i - 1 : 0]), b = layout.place(stroke.samples[i]);
+            each_capsule_run(a, b, half, [&](int y, int x0, int x1) {
+                const auto row = ink.mask.pixels.begin() + static_cast<std::ptrdiff_t>(ink.mask.index(0, y - top));
+                std::fill(row + (x0 - left), row + (x1 - left) + 1, std::uint8_t{1});
+            });
         }
     }
-    cv::rectangle(mask, {0, 0, mask.cols, mask.rows}, cv::Scalar(0));  // what lies beyond the frame touches no border
     return ink;
 }
 
@@ -200,6 +238,7 @@ Result<Ink> ink_of(const GrayImage& strength, const Frame& frame, const InkOptio
     const int larger = std::max(part.cols, part.rows) - 1;
     const int side = ink.filled ? std::min(larger, kLargestFilled_px) : options.raster_px;
     ink.raster = fit(whole, side, options.margin_px, ink.mask);
+    ink.diagonal_px = frame.diagonal() * ink.raster.scale;
     cv::Mat mask = view(ink.mask);
 
     // Enlarging interpolates the greys and thresholds after; reducing keeps every stroke, however thin.

@@ -3,9 +3,14 @@
 //
 // The first half of making a silhouette (closing.hpp is the second). Either source is laid into a raster that fits the
 // drawing itself and not its page, so that every later radius is relative to the drawing's own size (thesis 7.2.2).
+//
+// A picture is fitted exactly. A drawing grows while it is made, so its raster grows in steps of a fourth root of two
+// (DrawingLayout): between two steps every pixel keeps its value when the drawing grows, and shares of the diagonal are
+// off by at most a tenth.
 
 #include "core/base/result.hpp"
 #include "core/geometry/point.hpp"
+#include "core/silhouette/capsule.hpp"
 #include "core/silhouette/image.hpp"
 #include "core/stroke/stroke.hpp"
 
@@ -30,7 +35,8 @@ struct Frame {
 };
 
 struct InkOptions {
-    int raster_px = 320;          ///< larger side of the drawing on the raster, margin not counted
+    int raster_px = 320;          ///< larger side of a picture's ink on the raster, margin not counted
+    int diagonal_px = 440;        ///< largest diagonal of a drawing on the raster; the smallest is 0.84 of it
     int margin_px = 20;           ///< free pixels on every side
     double stroke_share = 0.012;  ///< width of a stroke as a share of the drawing's diagonal
     double faint_share = 0.35;    ///< a pixel of a picture is ink from this share of the darkest ink on
@@ -41,15 +47,42 @@ struct InkOptions {
 struct Ink {
     BinaryImage mask;  ///< 1 where there is ink, strokes at least stroke_share wide
     DrawingRaster raster;
-    bool filled = false;  ///< the source is a solid silhouette already, not line art; never set for a Drawing
+    bool filled = false;       ///< the source is a solid silhouette already, not line art; never set for a Drawing
+    double diagonal_px = 0.0;  ///< what later shares are of
 };
+
+/// How a drawing lies on the endless grid of its raster. Depends on the first sample, where its origin is, and on the
+/// diagonal, in steps; so it is the same for a drawing that is moved, and for one that is twice as large but for twice
+/// the scale.
+struct DrawingLayout {
+    double scale = 1.0;        ///< grid pixels per unit
+    Point origin;              ///< in units, at grid pixel (0, 0)
+    double diagonal_px = 0.0;  ///< what later shares are of: the middle of the diagonals that this step is for
+
+    [[nodiscard]] FixedPoint place(const PenSample& sample) const;
+    friend bool operator==(const DrawingLayout&, const DrawingLayout&) = default;
+};
+
+/// EmptyDrawing without strokes; TooSmall when all samples lie within a mere dot.
+[[nodiscard]] Result<DrawingLayout> layout_of(const Drawing& drawing, const InkOptions& options);
+/// The same from what is known: where the first sample lies, and the rectangle round all.
+[[nodiscard]] Result<DrawingLayout> layout_of(Point first, const Frame& frame, const InkOptions& options);
 
 /// The smallest rectangle round all samples. An empty drawing gives an empty frame.
 [[nodiscard]] Frame frame_of(const Drawing& drawing);
 
-/// The strokes drawn with a pen of constant width, as far as they lie in `frame`, which is fitted to the raster.
-/// EmptyDrawing without strokes; TooSmall when the frame is a mere dot. Linear in samples and pixels.
-[[nodiscard]] Result<Ink> ink_of(const Drawing& drawing, const Frame& frame, const InkOptions& options);
+/// The smallest rectangle of grid pixels round all samples; right and bottom belong to it.
+struct GridBox {
+    int left = 0, top = 0, right = -1, bottom = -1;
+    void take(FixedPoint p);
+    [[nodiscard]] bool empty() const { return right < left; }
+    friend bool operator==(const GridBox&, const GridBox&) = default;
+};
+[[nodiscard]] GridBox box_of(const Drawing& drawing, const DrawingLayout& layout);
+
+/// The strokes drawn with a pen that is twice `half` sixteenths of a pixel wide, with `border` pixels on every side of
+/// the samples' box. The drawing is not empty. Linear in the drawing's length and in pixels.
+[[nodiscard]] Ink ink_of(const Drawing& drawing, const DrawingLayout& layout, std::int64_t half, int border);
 
 /// How strongly each pixel differs from the paper, 0 (paper) to 255, whatever the polarity: the paper is the median of
 /// the picture's border. Pixels on the paper's other side count as paper.

@@ -26,6 +26,10 @@ struct SketchDescription {
                                                               const core::ShapeParameters& parameters = {});
 [[nodiscard]] core::Result<SketchDescription> describe_drawing(const core::Drawing& drawing,
                                                                const core::ShapeParameters& parameters = {});
+/// The same of a silhouette that is known already, and took that long to make.
+[[nodiscard]] core::Result<SketchDescription> describe_silhouette(const core::Silhouette& silhouette,
+                                                                  double silhouette_ms,
+                                                                  const core::ShapeParameters& parameters = {});
 
 /// A picture, a drawing, or what a pen drew in a trace or a tablet's recording. UnknownFormat naming what can be read.
 [[nodiscard]] core::Result<core::Sketch> read_any_sketch(const std::string& path_spec);

@@ -77,7 +77,14 @@ std::vector<FoundPart> parts_of(const core::Match& match, const SketchDescriptio
 
 SearchAnswer SketchSearcher::search(const core::Drawing& drawing, std::stop_token stop) {
     SearchAnswer answer;
-    const core::Result<SketchDescription> query = describe_drawing(drawing);
+    const Stopwatch silhouette_watch;
+    live_.follow(drawing);
+    const core::Result<core::Silhouette> silhouette = live_.silhouette();
+    if (!silhouette) {
+        answer.message_key = "too_little";
+        return answer;
+    }
+    const core::Result<SketchDescription> query = describe_silhouette(*silhouette, silhouette_watch.ms());
     if (!query) {
         answer.message_key = "too_little";
         return answer;

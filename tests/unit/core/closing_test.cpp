@@ -248,5 +248,32 @@ TEST_CASE("the raster maps to the drawing and back", "[closing]") {
     const Point there = s.raster.to_drawing(s.raster.to_raster({5, 6}));
     CHECK(there.x == Approx(5));
     CHECK(there.y == Approx(6));
-    CHECK(s.raster.to_raster({-7, 3}).x == Approx(core::InkOptions{}.margin_px));
+    CHECK(s.raster.to_raster({-7, 3}).x >= core::InkOptions{}.margin_px);
+    CHECK(s.raster.to_raster({13, 43}).x <= s.image.width - 1 - core::InkOptions{}.margin_px);
+}
+
+TEST_CASE("a drawing that is moved, or twice as large, has the same silhouette", "[closing]") {
+    const core::Silhouette s = silhouette(kOpenCircle);
+    for (const auto& [factor, shift] : {std::pair{1.0, 1024.0}, {2.0, 0.0}, {0.5, -512.0}}) {
+        Drawing other = kOpenCircle;
+        for (auto& sample : other.strokes[0].samples) {
+            sample.x = sample.x * factor + shift;
+            sample.y = sample.y * factor - shift;
+        }
+        CHECK(silhouette(other).image.pixels == s.image.pixels);
+    }
+}
+
+TEST_CASE("a drawing that grows keeps its pixels between two steps of the scale", "[closing]") {
+    Drawing drawing{{stroke({{0, 0}, {100, 0}, {100, 60}, {0, 60}, {0, 0}})}};
+    const core::Silhouette before = silhouette(drawing);
+    drawing.strokes.push_back(stroke({{100, 60}, {104, 64}}));
+    const core::Silhouette after = silhouette(drawing);
+    REQUIRE(before.raster.scale == after.raster.scale);
+    CHECK(before.raster.offset == after.raster.offset);
+    int differing = 0;
+    for (int y = 0; y < before.image.height; ++y) {
+        for (int x = 0; x < before.image.width / 2; ++x) differing += before.image.at(x, y) != after.image.at(x, y);
+    }
+    CHECK(differing == 0);
 }
