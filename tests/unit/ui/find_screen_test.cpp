@@ -128,7 +128,7 @@ TEST_CASE("a notice says what is missing and offers the sheet", "[find]") {
     for (const ui::Notice notice :
          {ui::Notice::NoModels, ui::Notice::CollectionMissing, ui::Notice::CollectionDamaged}) {
         for (std::size_t language = 0; language < s.languages.size(); ++language) {
-            const ui::DrawList list = s.notice.draw(notice, language, layout, {}, 0);
+            const ui::DrawList list = s.notice.draw({notice, language}, layout);
             CHECK(has(texts(list), s.languages[language]["start_drawing"]));
             for (const ui::DrawCommand& command : list.commands) {
                 if (const auto* t = std::get_if<ui::TextCommand>(&command)) {
@@ -138,7 +138,7 @@ TEST_CASE("a notice says what is missing and offers the sheet", "[find]") {
             }
         }
     }
-    const auto targets = s.notice.targets(0, layout);
+    const auto targets = s.notice.targets({ui::Notice::CollectionMissing}, layout);
     CHECK(targets.back().control == ui::Control::StartDrawing);
     CHECK(targets.back().rect.height >= 64);
 }
