@@ -50,8 +50,8 @@ Result<Skeleton> skeletonise(const Polygon& contour, const ShapeParameters& p) {
     s.profile = extended_profile(placed, s.triangulation);
     s.csp_pieces = segment(s.triangulation, s.profile.cuts());
     s.significant_pieces = without_insignificant_terminals(placed, s.arcs, s.triangulation, s.csp_pieces, p);
-    s.merged_pieces = with_trimmed_junctions(
-        placed, s.triangulation, with_merged_junctions(placed, s.triangulation, s.significant_pieces, p));
+    s.merged_pieces = with_trimmed_junctions(placed, s.triangulation,
+                                             with_merged_junctions(placed, s.triangulation, s.significant_pieces, p));
     s.pieces = with_joined_sleeves(s.triangulation, s.merged_pieces);
     s.graph = cat_graph(s.samples, s.triangulation, s.pieces);
     s.skeletal_length = skeletal_length(cat_graph(placed, s.triangulation, s.merged_pieces));

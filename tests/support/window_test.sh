@@ -41,9 +41,19 @@ for _ in $(seq 100); do
     sleep 0.1
 done
 [ -n "$window" ] || fail "no window"
+# The first touch wakes the attract picture and draws nothing.
 for _ in $(seq 50); do # the first frame
+    shot attract
+    [ "$(mean "$folder/attract.png" 200x20+1040+20)" -ge 250 ] && break
+    sleep 0.2
+done
+xdotool mousemove 900 150 mousedown 1
+sleep 0.1
+xdotool mouseup 1
+for _ in $(seq 50); do
     shot empty
-    [ "$(mean "$folder/empty.png" 200x200+900+50)" -ge 250 ] && break
+    # The board stands on the left by now: it is darker than the sheet.
+    [ "$(mean "$folder/empty.png" 200x200+900+50)" -ge 250 ] && [ "$(mean "$folder/empty.png" 8x300+8+250)" -le 244 ] && break
     sleep 0.2
 done
 sheet=$(mean "$folder/empty.png" 200x200+900+50)
