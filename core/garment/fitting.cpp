@@ -29,6 +29,7 @@ struct Link {
 /// Edges, each once, and quads' diagonals.
 std::vector<Link> links_of(const QuadMesh& mesh, bool diagonals) {
     std::vector<std::array<std::uint32_t, 2>> pairs;
+    pairs.reserve(6 * mesh.quads.size());
     for (const Quad& q : mesh.quads) {
         for (std::size_t k = 0; k < 4; ++k)
             pairs.push_back({std::min(q[k], q[(k + 1) % 4]), std::max(q[k], q[(k + 1) % 4])});

@@ -63,6 +63,7 @@ struct NetworkOptions {
 /// One point of a boundary: a vertex, or the index-th point of a line.
 struct BoundaryKey {
     int vertex = -1, line = -1, index = 0;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 of a comparison for a pointer
     friend auto operator<=>(const BoundaryKey&, const BoundaryKey&) = default;
 };
 

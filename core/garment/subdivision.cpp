@@ -91,8 +91,8 @@ std::vector<std::size_t> origins(const far::TopologyRefiner& refiner, int levels
         std::vector<std::size_t> next(static_cast<std::size_t>(refiner.GetLevel(level + 1).GetNumFaces()));
         for (int face = 0; face < parent.GetNumFaces(); ++face) {
             const auto children = parent.GetFaceChildFaces(face);
-            for (int k = 0; k < children.size(); ++k)
-                next[static_cast<std::size_t>(children[k])] = from[static_cast<std::size_t>(face)];
+            for (const int child : children)
+                next[static_cast<std::size_t>(child)] = from[static_cast<std::size_t>(face)];
         }
         from = std::move(next);
     }

@@ -101,7 +101,7 @@ class Maker {
     }
 
     /// A place in the plane of the side seams, where the pieces of front and back meet.
-    static StrokePart seam(Points through) { return part("front", Tool::PlaneXY, kSeam_z, std::move(through)); }
+    static StrokePart seam(const Points& through) { return part("front", Tool::PlaneXY, kSeam_z, through); }
     static Point mirrored(Point p) { return {-p.x, p.y}; }
 
     [[nodiscard]] Point neck_point() const { return {7.2, m.frame.nape + 0.8}; }

@@ -208,10 +208,10 @@ class Plot {
                 text(label, kLeft - 8, y(ms) + 5, true);
             }
         }
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const double at = x(static_cast<double>(rows[i].models));
+        for (const auto& row : rows) {
+            const double at = x(static_cast<double>(row.models));
             line({at, kTop}, {at, kHeight - kBottom}, 0.85);
-            text(std::to_string(rows[i].models), at + 16, kHeight - kBottom + 20, true);
+            text(std::to_string(row.models), at + 16, kHeight - kBottom + 20, true);
         }
         text("models", (kLeft + kWidth - kRight) / 2, kHeight - 12, false);
         text("milliseconds", 12, 24, false);

@@ -28,7 +28,8 @@ struct Square {
         flat.resize(topology.vertices);
         for (int k = 0; k < 4 * n; ++k) {
             const double a = k % n;
-            const std::array<Vec3, 4> places{Vec3{a, 0, 0}, Vec3(1.0 * n, a, 0), Vec3(n - a, n, 0), Vec3(0, n - a, 0)};
+            const std::array<Vec3, 4> places{Vec3{a, 0, 0}, Vec3{1.0 * n, a, 0}, Vec3{n - a, 1.0 * n, 0},
+                                             Vec3{0, n - a, 0}};
             flat[static_cast<std::size_t>(k)] = places[static_cast<std::size_t>(k / n)];
         }
         patch(0.0).solve(flat);

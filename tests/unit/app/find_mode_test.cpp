@@ -19,7 +19,7 @@ struct Kiosk {
     std::unique_ptr<app::FindMode> find;
     std::int64_t now_us = 1'000'000;
 
-    explicit Kiosk(app::Searcher* searcher, app::FindOptions options = {}) {
+    explicit Kiosk(app::Searcher* searcher, const app::FindOptions& options = {}) {
         auto made = app::FindMode::create(fonts, languages, searcher, options, {1280, 800});
         if (!made) FAIL(made.error().sentence());
         find = std::move(*made);
