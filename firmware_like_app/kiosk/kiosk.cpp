@@ -158,6 +158,7 @@ class Loop {
     void replay() {
         const std::int64_t now_us = surface_.now_us();
         while (const std::optional<ReplayEvent> event = player_.next(now_us - start_us_)) {
+            shell_.pen_near(true, now_us);  // a replay is a visitor: the sheet is not wiped under it
             replay_event(*event, now_us);
             if (!failure_) return;
         }
