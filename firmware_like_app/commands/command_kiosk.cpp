@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 struct KioskCommandOptions {
     std::string database, size, shots, record, language = "en";
     std::vector<std::string> replays;
-    bool windowed = false, headless = false, left_handed = false, json = false;
+    bool windowed = false, headless = false, left_handed = false, json = false, early = false;
     int jobs = core::core_count();
 };
 
@@ -87,7 +87,28 @@ void print_for_people(const ReplayReport& replay) {
     for (const auto& shot : replay.shots) std::printf("  %s\n", shot.string().c_str());
 }
 
-void print_report(const KioskReport& report, bool as_json) {
+/// Shares of the replays that found something at all.
+ordered_json early_shares(const KioskReport& report) {
+    std::array<int, 3> seen{};
+    int found = 0;
+    for (const ReplayReport& r : report.replays) {
+        if (r.ids.empty()) continue;
+        ++found;
+        for (std::size_t i = 0; i < seen.size(); ++i) seen[i] += r.end_seen[i] ? 1 : 0;
+    }
+    const auto share = [&](int n) { return found > 0 ? static_cast<double>(n) / found : 0.0; };
+    return {{"40", share(seen[0])}, {"60", share(seen[1])}, {"80", share(seen[2])}};
+}
+
+void print_early(const KioskReport& report) {
+    const ordered_json shares = early_shares(report);
+    for (const auto& [ink, share] : shares.items()) {
+        std::printf("at %s %% of the ink the first result of the end is among ten in %.0f %% of the drawings\n",
+                    ink.c_str(), share.get<double>() * 100);
+    }
+}
+
+void print_report(const KioskReport& report, bool as_json, bool early) {
     ordered_json replays = ordered_json::array();
     for (const ReplayReport& r : report.replays) {
         if (!as_json) {
@@ -106,11 +127,13 @@ void print_report(const KioskReport& report, bool as_json) {
              {"shots", shots},
              {"ms", {{"silhouette", r.silhouette_ms}, {"describe", r.describe_ms}, {"search", r.search_ms}}}});
     }
+    if (early && !as_json) print_early(report);
     if (!as_json) return;
-    const ordered_json out{{"replays", replays},
-                           {"frames", report.frames},
-                           {"renderer", report.renderer},
-                           {"frame_ms", {{"median", report.median_frame_ms}, {"worst", report.worst_frame_ms}}}};
+    ordered_json out{{"replays", replays},
+                     {"frames", report.frames},
+                     {"renderer", report.renderer},
+                     {"frame_ms", {{"median", report.median_frame_ms}, {"worst", report.worst_frame_ms}}}};
+    if (early) out["end_among_first_ten"] = early_shares(report);
     std::printf("%s\n", out.dump().c_str());
 }
 
@@ -130,6 +153,7 @@ void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) 
     kiosk.end_after_replays = !options.replays.empty();
     kiosk.shots = options.shots;
     kiosk.record = options.record;
+    kiosk.early_looks = options.early;
     kiosk.language = options.language;
     if (options.left_handed) kiosk.hand = ui::Hand::Left;
     core::Result<std::vector<NamedDrawing>> replays = read_replays(options.replays);
@@ -141,7 +165,7 @@ void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) 
         if (report.error().code == core::ErrorCode::BadArgument) state.exit_code = 2;
         return;
     }
-    print_report(*report, options.json);
+    print_report(*report, options.json, options.early);
     for (const ReplayReport& r : report->replays) {
         if (r.failure.empty()) continue;
         std::fprintf(stderr, "croquis: %s: %s\n", r.name.c_str(), r.failure.c_str());
@@ -165,6 +189,9 @@ void add_kiosk_command(CLI::App& cli, CommandState& state) {
     command->add_option("--shots", options->shots, "folder for numbered pictures");
     command->add_option("--language", options->language, "en, fr or de");
     command->add_option("--jobs", options->jobs, "search threads")->check(CLI::PositiveNumber);
+    command->add_flag(
+        "--early", options->early,
+        "headless: report how often the first result of the end is among ten at 40, 60 and 80 % of the ink");
     command->add_flag("--left", options->left_handed, "controls for a left-handed visitor");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &state] { run_kiosk_command(*options, state); });

@@ -70,7 +70,7 @@ core::Result<std::unique_ptr<AttractPlayer>> AttractPlayer::create(std::vector<N
 AttractPlayer::AttractPlayer(std::vector<NamedDrawing> drawings, Searcher* searcher, ui::InkLayer ink,
                              ui::ModelStage stage)
     : drawings_(std::move(drawings)), ink_layer_(std::move(ink)), model_(std::move(stage)) {
-    if (searcher != nullptr) worker_ = std::make_unique<SearchWorker>(*searcher, false);
+    if (searcher != nullptr) worker_ = std::make_unique<SearchWorker>(*searcher);
 }
 
 void AttractPlayer::start(ui::SizePx stage, double ink_width_px, std::int64_t now_us) {

@@ -15,6 +15,7 @@ constexpr int kFirstWash = 10;
 constexpr std::int64_t kWashRest_us = 700'000, kWashIn_us = 240'000, kWashStagger_us = 30'000, kWashOut_us = 80'000;
 constexpr std::int64_t kClearedOffer_us = 8'000'000;
 constexpr double kReplayMargin = 0.12;  // of the sheet's smaller side
+constexpr double kFrozenReach_px = 200;
 constexpr double kEraserReach_px = 12;  // of the design: half the ring
 
 ui::PictureId wash_id(std::size_t part) {
@@ -62,7 +63,8 @@ FindMode::FindMode(const ui::FontSet& fonts, const std::vector<ui::Strings>& lan
       painter_(std::move(painter)),
       ink_layer_(std::move(ink)),
       pictures_(std::move(pictures)) {
-    if (searcher != nullptr) worker_ = std::make_unique<SearchWorker>(*searcher, options.every_frame_seen);
+    if (searcher != nullptr) worker_ = std::make_unique<SearchWorker>(*searcher);
+    if (searcher != nullptr && options.every_frame_seen) card_worker_ = std::make_unique<CardWorker>();
     ink_layer_.resize(sheet_size(layout_));
     painter_.set_picture(kInkPicture, &ink_layer_.texture());
     start_over_frame();
@@ -271,13 +273,12 @@ void FindMode::sheet_changed(std::int64_t now_us) {
     if (sketch_.empty()) {
         drop_results();
     } else {
-        submit(now_us);
+        submit();
     }
 }
 
-void FindMode::submit(std::int64_t now_us) {
+void FindMode::submit() {
     if (!worker_) return;
-    submitted_us_ = now_us;
     submitted_revision_ = sketch_.revision();
     last_ticket_ = worker_->submit(sketch_.drawing());
     last_ticket_revision_ = submitted_revision_;
@@ -285,8 +286,9 @@ void FindMode::submit(std::int64_t now_us) {
 
 void FindMode::drop_results() {
     oldest_ticket_ = last_ticket_ + 1;
+    ranking_.reset();
     answer_.reset();
-    next_answer_.reset();
+    order_.clear();
     rail_.set({});
     wash_.clear();
     wash_since_us_.reset();
@@ -298,7 +300,58 @@ void FindMode::drop_results() {
 void FindMode::accept(PreparedAnswer answer) {
     if (answer.ticket < oldest_ticket_) return;
     if (!answer.failure.empty()) search_failure_ = answer.failure;
-    next_answer_ = std::make_shared<const PreparedAnswer>(std::move(answer));
+    ui::CalmOrder::Models models;
+    for (const FoundModel& model : answer.answer.best) models.push_back(model.id);
+    order_.see(models);
+    ranking_ = std::make_shared<const PreparedAnswer>(std::move(answer));
+}
+
+/// The models in the order of the cards, as the newest answer has them; one that it has no more as the cards have it.
+PreparedAnswer FindMode::arranged(const ui::CalmOrder::Models& models) const {
+    PreparedAnswer out;
+    out.ticket = ranking_->ticket;
+    out.answer.message_key = ranking_->answer.message_key;
+    for (const std::int64_t id : models) {
+        for (const PreparedAnswer* from : {ranking_.get(), answer_.get()}) {
+            if (from == nullptr) continue;
+            const std::vector<FoundModel>& best = from->answer.best;
+            const auto found = std::find_if(best.begin(), best.end(), [&](const FoundModel& m) { return m.id == id; });
+            if (found == best.end()) continue;
+            out.answer.best.push_back(*found);
+            break;
+        }
+    }
+    return out;
+}
+
+/// Cards near the pen do not change under it.
+ui::CalmOrder::Frozen FindMode::frozen_cards() const {
+    ui::CalmOrder::Frozen frozen{};
+    if (!pointer_px_) return frozen;
+    const double reach = layout_.px(kFrozenReach_px);
+    for (std::size_t i = 0; i < frozen.size(); ++i) {
+        const ui::Rect& r = layout_.cards[i];
+        const double dx = std::max({r.x - pointer_px_->x, 0.0, pointer_px_->x - r.right()});
+        const double dy = std::max({r.y - pointer_px_->y, 0.0, pointer_px_->y - r.bottom()});
+        frozen[i] = dx * dx + dy * dy < reach * reach;
+    }
+    return frozen;
+}
+
+/// Brings the newest ranking to the cards when that is due and nothing else is on the way there.
+void FindMode::change_cards(std::int64_t now_us) {
+    if (!card_worker_) return;
+    if (auto ready = card_worker_->take(); ready && ready->ticket >= oldest_ticket_) {
+        answer_ = std::make_shared<const PreparedAnswer>(std::move(*ready));
+        show_answer();
+    }
+    const bool on_the_way = card_worker_->busy() || pictures_.busy() || !rail_.ready(now_us);
+    if (on_the_way || !ranking_ || ranking_->ticket == shown_ranking_) return;
+    const bool resting = pen_ == Pen::Up && ranking_->ticket == last_ticket_;
+    if (!order_.change_due() && !resting && answer_) return;
+    const ui::CalmOrder::Frozen frozen = frozen_cards();
+    shown_ranking_ = ranking_->ticket;
+    card_worker_->start(arranged(resting ? order_.settle(frozen) : order_.rearrange(frozen)));
 }
 
 void FindMode::show_answer() {
@@ -349,17 +402,14 @@ bool FindMode::wash_is_current() const {
 void FindMode::update(std::int64_t now_us) {
     if (cleared_ && now_us - cleared_us_ > kClearedOffer_us) cleared_ = false;
     if (worker_) {
-        const bool due = options_.search_every_us > 0 && now_us - submitted_us_ >= options_.search_every_us;
-        if (pen_ == Pen::Drawing && due && sketch_.revision() != submitted_revision_) submit(now_us);
+        const bool news = sketch_.revision() != submitted_revision_ && !sketch_.empty();
+        if (options_.search_while_drawing && pen_ == Pen::Drawing && news) submit();
         if (auto answer = worker_->take()) accept(std::move(*answer));
     }
-    if (next_answer_ && !pictures_.busy()) {
-        answer_ = std::exchange(next_answer_, nullptr);
-        show_answer();
-    }
+    change_cards(now_us);
     pictures_.paint(1, layout_, painter_);
     if (auto faces = pictures_.take_finished()) rail_.set(std::move(*faces));
-    rail_.update(now_us);
+    rail_.update(now_us, frozen_cards());
     pictures_.keep_only_shown(rail_, painter_);
 
     if (wash_out_us_ && now_us - *wash_out_us_ >= kWashOut_us) {
@@ -370,16 +420,16 @@ void FindMode::update(std::int64_t now_us) {
     if (resting && !wash_since_us_ && wash_is_current() && !wash_.empty()) wash_since_us_ = now_us;
 }
 
-void FindMode::search_and_wait(std::int64_t now_us) {
+void FindMode::search_and_wait() {
     if (!worker_ || sketch_.empty()) return;
-    if (submitted_revision_ != sketch_.revision() || last_ticket_ < oldest_ticket_) submit(now_us);
-    if (answer_ && answer_->ticket >= last_ticket_) return;
-    if (!next_answer_ || next_answer_->ticket < last_ticket_) {
+    if (submitted_revision_ != sketch_.revision() || last_ticket_ < oldest_ticket_) submit();
+    if (!ranking_ || ranking_->ticket < last_ticket_) {
         if (auto answer = worker_->wait_for(last_ticket_)) accept(std::move(*answer));
     }
-    if (!next_answer_) return;
+    if (!ranking_ || (answer_ && answer_->ticket >= last_ticket_ && order_.settled())) return;
     if (pictures_.busy()) pictures_.reset(painter_);
-    answer_ = std::exchange(next_answer_, nullptr);
+    shown_ranking_ = ranking_->ticket;
+    answer_ = std::make_shared<const PreparedAnswer>(arranged(order_.settle()));
     show_answer();
 }
 

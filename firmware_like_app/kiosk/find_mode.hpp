@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "firmware_like_app/kiosk/card_pictures.hpp"
+#include "firmware_like_app/kiosk/card_worker.hpp"
 #include "firmware_like_app/kiosk/mode.hpp"
 #include "firmware_like_app/kiosk/search_worker.hpp"
 #include "ui/draw/ink_layer.hpp"
 #include "ui/draw/painter.hpp"
 #include "ui/gl/window.hpp"
+#include "ui/screens/calm_order.hpp"
 #include "ui/screens/find_screen.hpp"
 #include "ui/screens/sketch.hpp"
 
@@ -23,9 +25,9 @@ namespace app {
 struct FindOptions {
     std::size_t language = 0;
     ui::Hand hand = ui::Hand::Right;
-    std::string board_key = "hint_board";   ///< of the words on the board while it shows no cards
-    std::int64_t search_every_us = 80'000;  ///< while the pen draws; 0: only after strokes
-    bool every_frame_seen = true;           ///< false: cards and wash are made when settle() asks for them
+    std::string board_key = "hint_board";  ///< of the words on the board while it shows no cards
+    bool search_while_drawing = true;      ///< after every frame that brought samples; false: only after strokes
+    bool every_frame_seen = true;          ///< false: cards and wash are made when settle() asks for them
 };
 
 class FindMode final : public Mode {
@@ -54,7 +56,7 @@ class FindMode final : public Mode {
     /// Once a frame: searches when due, takes answers, paints a few card pictures, moves what fades.
     void update(std::int64_t now_us) override;
     /// Searches the sheet as it is and waits until its answer is on the cards.
-    void search_and_wait(std::int64_t now_us);
+    void search_and_wait();
     /// Ends all fades; with `resting` the wash is shown as when the pen rests.
     void settle(bool resting);
     /// Whether the frame would differ from the one drawn last.
@@ -66,8 +68,11 @@ class FindMode final : public Mode {
 
     [[nodiscard]] const ui::Sketch& sketch() const { return sketch_; }
     [[nodiscard]] const ui::FindLayout& layout() const { return layout_; }
-    /// The answer that the cards show or are about to.
+    /// What the cards show or are about to: models of the newest answers in a calm order, see
+    /// ui/screens/calm_order.hpp.
     [[nodiscard]] const PreparedAnswer* answer() const { return answer_.get(); }
+    /// The newest answer as the search gave it.
+    [[nodiscard]] const PreparedAnswer* ranking() const { return ranking_.get(); }
     [[nodiscard]] ui::FindState state(std::int64_t now_us) const;
     [[nodiscard]] bool has_work() const override { return !sketch_.empty() || sketch_.can_undo() || sketch_.open(); }
     void wipe(std::size_t language, ui::Hand hand) override;
@@ -96,8 +101,11 @@ class FindMode final : public Mode {
     void act(const ui::Intent& intent, std::int64_t now_us);
     void relayout(ui::SizePx screen, ui::Hand hand);
     void sheet_changed(std::int64_t now_us);
-    void submit(std::int64_t now_us);
+    void submit();
     void accept(PreparedAnswer answer);
+    void change_cards(std::int64_t now_us);
+    [[nodiscard]] PreparedAnswer arranged(const ui::CalmOrder::Models& models) const;
+    [[nodiscard]] ui::CalmOrder::Frozen frozen_cards() const;
     void show_answer();
     void make_wash();
     void make_answer_visible();
@@ -124,6 +132,7 @@ class FindMode final : public Mode {
     ui::InkLayer ink_layer_;
     CardPictures pictures_;
     std::unique_ptr<SearchWorker> worker_;
+    std::unique_ptr<CardWorker> card_worker_;
 
     ui::Sketch sketch_;
     ui::InkFrame frame_;  // units of the drawing to pixels of the sheet
@@ -140,10 +149,11 @@ class FindMode final : public Mode {
     std::int64_t cleared_us_ = 0;
 
     ui::CardRail rail_;
-    std::shared_ptr<const PreparedAnswer> answer_, next_answer_;
+    ui::CalmOrder order_;
+    std::shared_ptr<const PreparedAnswer> ranking_, answer_;
+    std::uint64_t shown_ranking_ = 0;  // ticket of the ranking that the cards were arranged by
     std::uint64_t oldest_ticket_ = 0;  // answers to older drawings are of a sheet that is gone
     std::uint64_t last_ticket_ = 0, last_ticket_revision_ = 0, submitted_revision_ = 0;
-    std::int64_t submitted_us_ = -1'000'000'000;
     std::string search_failure_;
     CardPreparer preparer_;        // for answers that come without cards
     bool answer_is_shown_ = true;  // cards and wash were made of answer_

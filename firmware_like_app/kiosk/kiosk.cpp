@@ -17,7 +17,9 @@ namespace app {
 namespace {
 
 constexpr std::array<int, 4> kMarks{25, 50, 75, 100};  // per cent of the ink
-constexpr std::int64_t kReplayRest_us = 2'500'000;     // in a window, for people to see the result
+constexpr std::array<int, 3> kEarly{40, 60, 80};
+constexpr std::size_t kEarlyShown = 10;
+constexpr std::int64_t kReplayRest_us = 2'500'000;  // in a window, for people to see the result
 constexpr ui::SizePx kDefaultSize{1920, 1080};
 
 double ms_since(std::chrono::steady_clock::time_point start) {
@@ -156,6 +158,7 @@ class Loop {
     void replay() {
         const std::int64_t now_us = surface_.now_us();
         while (const std::optional<ReplayEvent> event = player_.next(now_us - start_us_)) {
+            shell_.pen_near(true, now_us);  // a replay is a visitor: the sheet is not wiped under it
             replay_event(*event, now_us);
             if (!failure_) return;
         }
@@ -168,6 +171,7 @@ class Loop {
                 report_.replays.back().name = replays_[event.drawing].name;
                 searches_before_ = find_.searches();
                 next_mark_ = 0;
+                early_.clear();
                 find_.start_sheet_for(replays_[event.drawing].drawing);
                 break;
             case ReplayEvent::Kind::Down:
@@ -178,22 +182,36 @@ class Loop {
                 break;
             case ReplayEvent::Kind::Up:
                 find_.end_stroke(now_us);
-                if (options_.headless) find_.search_and_wait(now_us);
+                if (options_.headless) find_.search_and_wait();
                 break;
             case ReplayEvent::Kind::DrawingEnds:
-                find_.search_and_wait(now_us);
-                while (next_mark_ < kMarks.size()) mark(now_us);
+                find_.search_and_wait();
+                while (next_mark_ < kMarks.size()) mark();
                 finish_replay();
                 return;
         }
+        if (options_.early_looks) look_early(event.ink_share);
         // the last mark waits for the end, where the pen has lifted
-        while (next_mark_ + 1 < kMarks.size() && event.ink_share * 100 >= kMarks[next_mark_]) mark(now_us);
+        while (next_mark_ + 1 < kMarks.size() && event.ink_share * 100 >= kMarks[next_mark_]) mark();
     }
 
-    void mark(std::int64_t now_us) {
+    /// Notes the first models when enough ink is there.
+    void look_early(double ink_share) {
+        while (early_.size() < kEarly.size() && ink_share * 100 >= kEarly[early_.size()]) {
+            find_.search_and_wait();
+            early_.emplace_back();
+            const PreparedAnswer* ranking = find_.ranking();
+            if (ranking == nullptr) continue;
+            for (const FoundModel& model : ranking->answer.best) {
+                if (early_.back().size() < kEarlyShown) early_.back().push_back(model.id);
+            }
+        }
+    }
+
+    void mark() {
         const int percent = kMarks[next_mark_++];
         if (options_.shots.empty()) return;
-        find_.search_and_wait(now_us);
+        find_.search_and_wait();
         find_.settle(percent == 100);
         std::array<char, 16> end{};
         std::snprintf(end.data(), end.size(), "-%03d", percent);
@@ -215,11 +233,14 @@ class Loop {
         ReplayReport& replay = report_.replays.back();
         replay.searches = static_cast<int>(find_.searches() - searches_before_);
         replay.failure = find_.search_failure();
-        const PreparedAnswer* last = find_.answer();
+        const PreparedAnswer* last = find_.ranking();
         if (last == nullptr) return;
         for (const FoundModel& model : last->answer.best) {
             replay.ids.push_back(model.id);
             replay.names.push_back(model.name);
+        }
+        for (std::size_t i = 0; i < early_.size() && !replay.ids.empty(); ++i) {
+            replay.end_seen[i] = std::find(early_[i].begin(), early_[i].end(), replay.ids[0]) != early_[i].end();
         }
         replay.message_key = last->answer.message_key;
         replay.silhouette_ms = last->answer.silhouette_ms;
@@ -262,6 +283,7 @@ class Loop {
     std::int64_t start_us_ = 0;
     std::uint64_t searches_before_ = 0;
     std::size_t next_mark_ = 0;
+    std::vector<std::vector<std::int64_t>> early_;
     int shots_ = 0;
     bool ended_ = false;
     bool frame_due_ = true;
@@ -322,7 +344,7 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searc
     find_options.language = static_cast<std::size_t>(language - languages->begin());
     find_options.hand = options.hand;
     find_options.every_frame_seen = !options.headless;
-    find_options.search_every_us = options.headless ? 0 : options.search_every_us;
+    find_options.search_while_drawing = !options.headless;
     LiveSearcher shared(std::shared_ptr<Searcher>(searcher, [](Searcher*) {}));  // two threads ask
     core::Result<std::unique_ptr<FindMode>> find =
         FindMode::create(*fonts, *languages, searcher != nullptr ? &shared : nullptr, find_options, (*surface)->size());

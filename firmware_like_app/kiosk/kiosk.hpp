@@ -1,6 +1,7 @@
 #pragma once
 // The kiosk's loop: one for the window and for pictures without a screen, for visitors and for replayed drawings.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -32,9 +33,9 @@ struct KioskOptions {
     ui::Hand hand = ui::Hand::Right;
     CollectionState collection = CollectionState::Ready;  ///< other than ready: a calm screen says so
     StationTimes times;
-    bool attract = true;                    ///< false: an empty sheet waits for visitors
-    bool expect_tablet = false;             ///< say so when none is there; one that was there once is always expected
-    std::int64_t search_every_us = 80'000;  ///< while the pen draws, in a window; headless searches after strokes
+    bool attract = true;         ///< false: an empty sheet waits for visitors
+    bool expect_tablet = false;  ///< say so when none is there; one that was there once is always expected
+    bool early_looks = false;    ///< headless: also search when 40, 60 and 80 % of a replay's ink are drawn
 };
 
 /// What came of one replayed drawing.
@@ -45,6 +46,8 @@ struct ReplayReport {
     std::string message_key;         ///< of the last answer
     double silhouette_ms = 0, describe_ms = 0, search_ms = 0;  ///< of the last search
     int searches = 0;
+    /// With KioskOptions::early_looks: whether the best model of the end was among the first ten at 40, 60 and 80 %.
+    std::array<bool, 3> end_seen{};
     std::string failure;  ///< what went wrong while searching; empty when all is well
     std::vector<std::filesystem::path> shots;
 };

@@ -3,10 +3,22 @@
 #include <exception>
 #include <utility>
 
+#include "firmware_like_app/kiosk/background.hpp"
+
 namespace app {
-SearchWorker::SearchWorker(Searcher& searcher, bool prepare_cards)
-    : searcher_(searcher), prepare_cards_(prepare_cards) {
-    thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+namespace {
+
+double ms_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+SearchWorker::SearchWorker(Searcher& searcher) : searcher_(searcher) {
+    thread_ = std::jthread([this](const std::stop_token& stop) {
+        yield_to_the_pen();
+        work(stop);
+    });
 }
 
 SearchWorker::~SearchWorker() {
@@ -16,7 +28,7 @@ SearchWorker::~SearchWorker() {
 
 std::uint64_t SearchWorker::submit(core::Drawing drawing) {
     const std::scoped_lock lock(mutex_);
-    waiting_ = Job{++last_ticket_, std::move(drawing)};
+    waiting_ = Job{++last_ticket_, std::move(drawing), std::chrono::steady_clock::now()};
     changed_.notify_all();
     return last_ticket_;
 }
@@ -57,14 +69,14 @@ void SearchWorker::work(const std::stop_token& stop) {
 PreparedAnswer SearchWorker::run(const Job& job, const std::stop_token& stop) {
     PreparedAnswer out;
     out.ticket = job.ticket;
+    out.waited_ms = ms_since(job.since);
     try {
         out.answer = searcher_.search(job.drawing, stop);
-        if (prepare_cards_) out.cards = preparer_.prepare(out.answer, stop);
     } catch (const std::exception& e) {
         out.answer = {};
-        out.cards.clear();
         out.failure = e.what();
     }
+    out.ready_ms = ms_since(job.since);
     return out;
 }
 

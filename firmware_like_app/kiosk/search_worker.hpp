@@ -1,6 +1,7 @@
 #pragma once
 // Searches on a thread of its own. The newest drawing wins: at most one search runs and one waits.
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -13,19 +14,20 @@
 
 namespace app {
 
-/// An answer, with its cards ready for the graphics card when the worker prepares them.
+/// An answer, and its cards once they are ready for the graphics card.
 struct PreparedAnswer {
     std::uint64_t ticket = 0;
     SearchAnswer answer;
     CardPreparer::Cards cards;  ///< see CardPreparer; empty when not prepared
     std::string failure;        ///< what the searcher threw; empty when all is well
+    double waited_ms = 0;       ///< from handing over the drawing until its search began
+    double ready_ms = 0;        ///< from handing over the drawing until the answer was there
 };
 
 class SearchWorker {
   public:
-    /// `searcher` must outlive the worker. `prepare_cards`: also makes the cards of every answer, so that the screen's
-    /// thread need not.
-    SearchWorker(Searcher& searcher, bool prepare_cards);
+    /// `searcher` must outlive the worker.
+    explicit SearchWorker(Searcher& searcher);
     /// Asks a running search to stop and waits for it.
     ~SearchWorker();
     SearchWorker(const SearchWorker&) = delete;
@@ -44,18 +46,17 @@ class SearchWorker {
     struct Job {
         std::uint64_t ticket;
         core::Drawing drawing;
+        std::chrono::steady_clock::time_point since;
     };
     void work(const std::stop_token& stop);
     PreparedAnswer run(const Job& job, const std::stop_token& stop);
 
     Searcher& searcher_;
-    const bool prepare_cards_;
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::optional<Job> waiting_;
     std::optional<PreparedAnswer> done_;
     std::uint64_t last_ticket_ = 0, done_ticket_ = 0, searches_ = 0;
-    CardPreparer preparer_;  // only the worker touches it
     std::jthread thread_;
 };
 

@@ -69,7 +69,7 @@ void KioskStand::draw_horse() {
         }
         event(ui::WindowEvent::Kind::Up, p.x, p.y);
     }
-    find->search_and_wait(now_us);
+    find->search_and_wait();
     find->settle(true);
     shell->update_ink();
 }

@@ -9,26 +9,31 @@ void CardRail::set(std::vector<CardFace> ranking) {
     waiting_ = std::move(ranking);
 }
 
-void CardRail::update(std::int64_t now_us) {
-    if (waiting_ && now_us - changed_us_ >= kPause_us) apply(now_us, false);
+void CardRail::update(std::int64_t now_us, const std::array<bool, kCardCount>& frozen) {
+    if (waiting_ && ready(now_us)) apply(now_us, false, frozen);
 }
 
 void CardRail::settle() {
-    apply(changed_us_, true);
+    apply(changed_us_, true, {});
     for (Place& place : places_) {
         place.before.reset();
         place.since_us = -1'000'000'000;
     }
 }
 
-void CardRail::apply(std::int64_t now_us, bool at_once) {
+void CardRail::apply(std::int64_t now_us, bool at_once, const std::array<bool, kCardCount>& frozen) {
     if (!waiting_) return;
     std::int64_t delay_us = 0;
+    bool held_back = false;
     for (std::size_t i = 0; i < places_.size(); ++i) {
         std::optional<CardFace> face;
         if (i < waiting_->size()) face = (*waiting_)[i];
         Place& place = places_[i];
         if (face == place.now) continue;
+        if (frozen[i] && place.now) {
+            held_back = true;
+            continue;
+        }
         place.before = std::move(place.now);
         place.now = std::move(face);
         place.since_us = now_us + delay_us;
@@ -37,7 +42,7 @@ void CardRail::apply(std::int64_t now_us, bool at_once) {
             changed_us_ = now_us;
         }
     }
-    waiting_.reset();
+    if (!held_back) waiting_.reset();
 }
 
 std::array<CardSlot, kCardCount> CardRail::slots(std::int64_t now_us) const {

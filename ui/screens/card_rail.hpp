@@ -38,8 +38,11 @@ class CardRail {
 
     /// The ranking to show, best first; empty leaves waiting places. Shown at the next update that may change cards.
     void set(std::vector<CardFace> ranking);
-    /// Starts a waiting change when the last one is long enough ago.
-    void update(std::int64_t now_us);
+    /// Starts a waiting change when the last one is long enough ago. Frozen places
+    /// change when they are no longer.
+    void update(std::int64_t now_us, const std::array<bool, kCardCount>& frozen = {});
+    /// Whether a change may start now.
+    [[nodiscard]] bool ready(std::int64_t now_us) const { return now_us - changed_us_ >= kPause_us; }
     /// Ends all fades at once: the state that pictures for people to compare show.
     void settle();
     [[nodiscard]] std::array<CardSlot, kCardCount> slots(std::int64_t now_us) const;
@@ -52,7 +55,7 @@ class CardRail {
         std::optional<CardFace> now, before;
         std::int64_t since_us = -1'000'000'000;
     };
-    void apply(std::int64_t now_us, bool at_once);
+    void apply(std::int64_t now_us, bool at_once, const std::array<bool, kCardCount>& frozen);
     std::array<Place, kCardCount> places_;
     std::optional<std::vector<CardFace>> waiting_;
     std::int64_t changed_us_ = -1'000'000'000;

@@ -58,7 +58,7 @@ TEST_CASE("ink goes on while a slow search runs, and the newest drawing is found
     CHECK(pieces > 100);
     CHECK(kiosk.find->searches() <= 2);  // the first may have ended meanwhile, the others are still to come
     CHECK(std::chrono::steady_clock::now() - start < 5s);
-    kiosk.find->search_and_wait(kiosk.now_us);
+    kiosk.find->search_and_wait();
     REQUIRE(kiosk.find->answer() != nullptr);
     CHECK(kiosk.find->searches() <= 4);  // thirteen strokes, but only the newest ones were searched
 }
@@ -146,7 +146,7 @@ TEST_CASE("the wash comes when the pen has rested and goes with the next tip", "
     Kiosk kiosk(&searcher);
     kiosk.stroke(700, 300, 1100, 310);
     kiosk.stroke(1100, 310, 1100, 600);
-    kiosk.find->search_and_wait(kiosk.now_us);
+    kiosk.find->search_and_wait();
     kiosk.find->update(kiosk.now_us);
     REQUIRE_FALSE(kiosk.state().wash.empty());
     CHECK(kiosk.state().wash[0].opacity == 0);
@@ -216,7 +216,7 @@ TEST_CASE("a tap on a card opens it, and only where there is one", "[find mode]"
     CHECK_FALSE(kiosk.find->take_opened_card());
     kiosk.stroke(700, 300, 1100, 310);
     kiosk.stroke(1100, 310, 1100, 600);
-    kiosk.find->search_and_wait(kiosk.now_us);
+    kiosk.find->search_and_wait();
     kiosk.find->settle(false);
     kiosk.tap(kiosk.layout().cards[2]);
     CHECK(kiosk.find->take_opened_card() == std::optional<std::size_t>(2));
@@ -241,7 +241,7 @@ TEST_CASE("a wipe leaves nothing: no ink, no history, no cards, no language, no 
     Kiosk kiosk(&searcher);
     kiosk.stroke(700, 300, 1100, 310);
     kiosk.stroke(1100, 310, 1100, 600);
-    kiosk.find->search_and_wait(kiosk.now_us);
+    kiosk.find->search_and_wait();
     kiosk.find->settle(true);
     kiosk.tap(kiosk.layout().hand_switch);
     kiosk.find->set_language(2);

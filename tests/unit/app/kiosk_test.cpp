@@ -171,3 +171,14 @@ TEST_CASE("a kept drawing reads back to the bit", "[kiosk]") {
         }
     }
 }
+
+TEST_CASE("long replays are not wiped as if nobody were there", "[kiosk]") {
+    test::FigureSearcher searcher(test::make_animals());
+    std::vector<app::NamedDrawing> many(45, {"horse", test::make_horse_drawing()});  // above two minutes
+    const auto report = app::run_kiosk(headless({}), &searcher, many);
+    REQUIRE(report);
+    for (const app::ReplayReport& replay : report->replays) {
+        CHECK(replay.ids == report->replays[0].ids);
+        CHECK(replay.searches == report->replays[0].searches);
+    }
+}

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "firmware_like_app/kiosk/card_worker.hpp"
 #include "tests/support/figures.hpp"
 
 using namespace std::chrono_literals;
@@ -58,7 +59,7 @@ class ThrowingSearcher : public app::Searcher {
 
 TEST_CASE("the newest drawing wins and submitting never waits", "[worker]") {
     SlowSearcher searcher;
-    app::SearchWorker worker(searcher, false);
+    app::SearchWorker worker(searcher);
     worker.submit(drawing_of(1));
     searcher.wait_until_started();
     std::uint64_t last = 0;
@@ -79,7 +80,7 @@ TEST_CASE("ending asks a running search to stop", "[worker]") {
     SlowSearcher searcher;
     const auto start = std::chrono::steady_clock::now();
     {
-        app::SearchWorker worker(searcher, false);
+        app::SearchWorker worker(searcher);
         worker.submit(drawing_of(1));
         searcher.wait_until_started();
         worker.submit(drawing_of(2));
@@ -90,7 +91,7 @@ TEST_CASE("ending asks a running search to stop", "[worker]") {
 
 TEST_CASE("a searcher that fails is reported and the worker goes on", "[worker]") {
     ThrowingSearcher searcher;
-    app::SearchWorker worker(searcher, false);
+    app::SearchWorker worker(searcher);
     for (int i = 1; i <= 3; ++i) {
         const auto answer = worker.wait_for(worker.submit(drawing_of(i)));
         REQUIRE(answer);
@@ -99,11 +100,37 @@ TEST_CASE("a searcher that fails is reported and the worker goes on", "[worker]"
     }
 }
 
-TEST_CASE("answers come with cards that are ready to paint", "[worker]") {
-    test::FigureSearcher searcher(test::make_animals());
-    app::SearchWorker worker(searcher, true);
-    const auto answer = worker.wait_for(worker.submit(test::make_horse_drawing()));
+TEST_CASE("an answer tells how long its drawing waited and how long all took", "[worker]") {
+    SlowSearcher searcher;
+    app::SearchWorker worker(searcher);
+    worker.submit(drawing_of(1));
+    searcher.wait_until_started();
+    const std::uint64_t second = worker.submit(drawing_of(2));
+    std::this_thread::sleep_for(20ms);
+    searcher.let_go();
+    const auto answer = worker.wait_for(second);
     REQUIRE(answer);
+    CHECK(answer->waited_ms >= 20);
+    CHECK(answer->ready_ms >= answer->waited_ms);
+}
+
+TEST_CASE("cards are made ready beside the search", "[worker]") {
+    test::FigureSearcher searcher(test::make_animals());
+    app::CardWorker cards;
+    CHECK_FALSE(cards.busy());
+    app::PreparedAnswer wanted;
+    wanted.ticket = 7;
+    wanted.answer = searcher.search(test::make_horse_drawing(), {});
+    cards.start(wanted);
+    CHECK(cards.busy());
+    std::optional<app::PreparedAnswer> answer;
+    for (int i = 0; i < 5000 && !answer; ++i) {
+        std::this_thread::sleep_for(1ms);
+        answer = cards.take();
+    }
+    REQUIRE(answer);
+    CHECK_FALSE(cards.busy());
+    CHECK(answer->ticket == 7);
     REQUIRE(answer->cards.size() == 9);
     for (std::size_t i = 0; i < 9; ++i) {
         CHECK(answer->cards[i]->geometry->corner_count() > 1000);

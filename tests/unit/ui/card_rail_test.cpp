@@ -57,3 +57,15 @@ TEST_CASE("settling ends every fade, and an empty ranking leaves waiting places"
     CHECK_FALSE(rail.slots(0)[0].now.has_value());
     CHECK_FALSE(rail.shows(ui::PictureId{1}));
 }
+
+TEST_CASE("a frozen card changes when it is no longer", "[rail]") {
+    ui::CardRail rail;
+    rail.set({face(1), face(2)});
+    rail.update(1'000'000);
+    rail.set({face(3), face(4)});
+    rail.update(2'000'000, {true});
+    CHECK(rail.slots(2'000'000)[0].now == face(1));
+    CHECK(rail.slots(2'000'000)[1].now == face(4));
+    rail.update(3'000'000);
+    CHECK(rail.slots(3'000'000)[0].now == face(3));
+}

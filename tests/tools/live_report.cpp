@@ -1,0 +1,154 @@
+// How soon the kiosk knows what a drawing looks like: recorded drawings in their own time, a batch of samples a frame
+// of 1/60 s, the newest batch searched as soon as the search before is done.
+//
+//     live_report INDEX FOLDER [COUNT [JOBS [EVERY [SEED]]]]
+//
+// Time is that of the recording; a search takes as long as it takes here. So nothing waits for a hand, and every batch
+// is searched that the kiosk would search; with EVERY N only each Nth of them, the others taking as long as the one
+// before. FOLDER holds Quick-Draw files; COUNT drawings are chosen by SEED. Prints for every batch the time from its
+// last sample until a ranking was there that knew it, and the stages of the searches.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/exchange/sketch_reader.hpp"
+#include "firmware_like_app/collection/sketch_searcher.hpp"
+
+namespace {
+
+constexpr double kFrame_ms = 1000.0 / 60;
+constexpr double kLongestLift_ms = 1500;  // as the kiosk's replays
+constexpr int kBest = 20;                 // as the kiosk
+
+std::vector<std::string> choose(const std::filesystem::path& folder, std::size_t count, unsigned seed) {
+    std::vector<std::string> all;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() != ".ndjson") continue;
+        std::ifstream in(entry.path());
+        std::string line;
+        for (int n = 0; std::getline(in, line); ++n) all.push_back(entry.path().string() + ":" + std::to_string(n));
+    }
+    std::sort(all.begin(), all.end());
+    std::shuffle(all.begin(), all.end(), std::mt19937(seed));
+    all.resize(std::min(all.size(), count));
+    return all;
+}
+
+/// Samples of one frame: how much of the drawing is there then.
+struct Batch {
+    double last_ms = 0;   ///< when its last sample was read
+    double frame_ms = 0;  ///< when the loop sees it
+    std::size_t strokes = 0, samples = 0;
+};
+
+std::vector<Batch> batches_of(const core::Drawing& drawing) {
+    std::vector<Batch> batches;
+    double now = 0, before = 0;
+    bool first = true;
+    for (std::size_t i = 0; i < drawing.strokes.size(); ++i) {
+        const std::vector<core::PenSample>& samples = drawing.strokes[i].samples;
+        for (std::size_t k = 0; k < samples.size(); ++k) {
+            const double at = static_cast<double>(samples[k].time_us) / 1000;
+            now += first ? 0 : std::clamp(at - before, 0.0, kLongestLift_ms);
+            before = at;
+            first = false;
+            const double frame = (std::floor(now / kFrame_ms) + 1) * kFrame_ms;
+            if (batches.empty() || batches.back().frame_ms != frame) batches.emplace_back();
+            batches.back() = {now, frame, i + 1, k + 1};
+        }
+    }
+    return batches;
+}
+
+core::Drawing part_of(const core::Drawing& whole, const Batch& batch) {
+    core::Drawing part;
+    part.strokes.assign(whole.strokes.begin(), whole.strokes.begin() + static_cast<std::ptrdiff_t>(batch.strokes));
+    part.strokes.back().samples.resize(batch.samples);
+    return part;
+}
+
+struct Times {
+    std::vector<double> from_sample, from_frame, waited, silhouette, describe, search, whole;
+    std::size_t batches = 0, searches = 0, measured = 0;
+};
+
+void draw(const core::Drawing& drawing, app::SketchSearcher& searcher, int every, Times& times) {
+    const std::vector<Batch> batches = batches_of(drawing);
+    times.batches += batches.size();
+    double free_at = 0, took = 0;
+    std::size_t next = 0;  // the first batch that no ranking knows
+    for (int n = 0; next < batches.size(); ++n) {
+        // the search takes the newest batch that is there when it is free
+        const double start = std::max(free_at, batches[next].frame_ms);
+        std::size_t newest = next;
+        while (newest + 1 < batches.size() && batches[newest + 1].frame_ms <= start) ++newest;
+        ++times.searches;
+        if (n % every == 0) {
+            const auto clock = std::chrono::steady_clock::now();
+            const app::SearchAnswer answer = searcher.search(part_of(drawing, batches[newest]), {});
+            took = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - clock).count();
+            ++times.measured;
+            times.whole.push_back(took);
+            times.silhouette.push_back(answer.silhouette_ms);
+            times.describe.push_back(answer.describe_ms);
+            times.search.push_back(answer.search_ms);
+        }
+        free_at = start + took;
+        for (; next <= newest; ++next) {
+            times.from_sample.push_back(free_at - batches[next].last_ms);
+            times.from_frame.push_back(free_at - batches[next].frame_ms);
+            times.waited.push_back(start - batches[next].frame_ms);
+        }
+    }
+}
+
+void print(const char* what, std::vector<double>& ms) {
+    if (ms.empty()) return;
+    std::sort(ms.begin(), ms.end());
+    const auto at = [&](double share) {
+        return ms[static_cast<std::size_t>(share * static_cast<double>(ms.size() - 1))];
+    };
+    std::printf("%-34s p50 %6.1f  p95 %6.1f  p99 %6.1f  max %6.1f ms\n", what, at(0.5), at(0.95), at(0.99), ms.back());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 3) {
+        std::fprintf(stderr, "live_report INDEX FOLDER [COUNT [JOBS [EVERY [SEED]]]]\n");
+        return 2;
+    }
+    const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
+    auto searcher = app::SketchSearcher::open(argv[1], number(4, 2), kBest);
+    if (!searcher) {
+        std::fprintf(stderr, "%s\n", searcher.error().sentence().c_str());
+        return 1;
+    }
+    Times times;
+    std::size_t drawings = 0;
+    for (const std::string& spec :
+         choose(argv[2], static_cast<std::size_t>(number(3, 200)), static_cast<unsigned>(number(6, 1)))) {
+        const auto sketch = core::read_sketch(spec);
+        if (!sketch || !sketch->drawing) continue;
+        draw(*sketch->drawing, **searcher, std::max(number(5, 1), 1), times);
+        ++drawings;
+    }
+    std::printf("%zu drawings, %zu batches, %zu searches, %zu of them measured\n", drawings, times.batches,
+                times.searches, times.measured);
+    print("last sample -> ranking", times.from_sample);
+    print("frame that read it -> ranking", times.from_frame);
+    print("  waited for the search before", times.waited);
+    print("  silhouette", times.silhouette);
+    print("  description", times.describe);
+    print("  search", times.search);
+    print("  one search as a whole", times.whole);
+    return 0;
+}
