@@ -115,13 +115,15 @@ std::vector<RankedModel> Collection::nearest(const core::ComparableShape& query,
     const auto nearer = [&](std::size_t i) { return std::min(contours[i][0], contours[i][1]); };
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return nearer(a) < nearer(b); });
     NearestSoFar best(count);
+    const core::PartsBound bound(query.parts);
     core::parallel_for(order.size(), std::max(1, jobs), [&](std::size_t k, int worker) {
         const std::size_t i = order[k];
         const double limit = just_above(best.limit());
         if (nearer(i) >= limit || stop.stop_requested()) return;
         core::FusedMatcher& matcher = matchers[static_cast<std::size_t>(worker)];
         const RankedModel found = nearer_view(i, [&](std::size_t v, double give_up_at) {
-            return matcher.distance_from(contours[i][v], query, models_[i].views[v], std::min(give_up_at, limit));
+            return matcher.distance_from(contours[i][v], query, bound, models_[i].views[v],
+                                         std::min(give_up_at, limit));
         });
         if (found.distance < limit) best.offer(found);
     });
