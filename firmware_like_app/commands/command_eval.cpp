@@ -209,13 +209,13 @@ struct SketchTest {
     std::vector<double> ms;
 };
 
-SketchTest test_sketches(const DescribedList& queries, const Collection& collection, Reading reading, int jobs) {
+SketchTest test_sketches(const DescribedList& queries, const Collection& collection, RankBy by, int jobs) {
     SketchTest test;
     std::map<std::string, int> class_size;
     for (const CollectionModel& m : collection.models()) ++class_size[m.record.class_name];
     for (std::size_t q = 0; q < queries.shapes.size(); ++q) {
         const Stopwatch watch;
-        const std::vector<RankedModel> ranked = collection.rank(queries.shapes[q], reading, jobs);
+        const std::vector<RankedModel> ranked = collection.rank(queries.shapes[q], by, jobs);
         test.ms.push_back(watch.ms());
         std::vector<char> relevant;
         relevant.reserve(ranked.size());
@@ -262,8 +262,8 @@ void run_sketches(const EvalOptions& options, CommandState& state) {
     for (const db::Damage& d : collection->damaged()) std::fprintf(stderr, "croquis: %s\n", d.sentence().c_str());
     const DescribedList queries = describe_list(list->files, options.jobs);
     if (!queries.failures.empty()) state.exit_code = 1;
-    const SketchTest parts = test_sketches(queries, *collection, Reading::Parts, options.jobs);
-    const SketchTest fused = test_sketches(queries, *collection, Reading::Fused, options.jobs);
+    const SketchTest parts = test_sketches(queries, *collection, RankBy::Parts, options.jobs);
+    const SketchTest fused = test_sketches(queries, *collection, RankBy::Fused, options.jobs);
     const std::vector<double> ms = time_queries(queries, *collection, options.jobs);
     const auto parts_by_class = means_by_class(queries, parts), fused_by_class = means_by_class(queries, fused);
     const core::RetrievalMetrics parts_mean = core::mean_metrics(parts.metrics);
