@@ -34,11 +34,10 @@ struct ModelView {
     int camera_number = 0;  ///< among the 50 of 7.1.1, from 0
     core::Polygon outline;  ///< contour in the image plane [-1, 1] x [-1, 1], y up
     core::ShapeDescriptor descriptor;
-    core::ContourDescriptor contour;             ///< of the same outline
-    std::vector<core::ShapeDescriptor> further;  ///< readings 1, 2 … of the same outline; may be empty
-    double skeletal_length = 0.0;                ///< 7.1.2
-    double asymmetry = 0.0;                      ///< 7.1.2, distance to the reversed self
-    std::vector<std::byte> thumbnail;            ///< a PNG of the model from `camera`; empty: none
+    core::ContourDescriptor contour;   ///< of the same outline
+    double skeletal_length = 0.0;      ///< 7.1.2
+    double asymmetry = 0.0;            ///< 7.1.2, distance to the reversed self
+    std::vector<std::byte> thumbnail;  ///< a PNG of the model from `camera`; empty: none
 };
 
 struct ModelRecord {
@@ -127,8 +126,7 @@ class TwoViewIndex {
 
     /// All models in the order of ids, without blobs.
     [[nodiscard]] core::Result<std::vector<ModelEntry>> list() const;
-    /// What a search needs, of one moment. 1,000 models with three readings a view take some 300 ms of one core, most
-    /// of it measuring their parts.
+    /// What a search needs, of one moment. 1,000 models take some 150 ms of one core, most of it measuring their parts.
     [[nodiscard]] core::Result<LoadedModels> load_views() const;
     /// One whole model, its mesh and thumbnails included. BadArgument if there is no such id.
     [[nodiscard]] core::Result<ModelRecord> load(std::int64_t id) const;

@@ -168,7 +168,6 @@ void run_show(const IndexOptions& options, CommandState& state) {
                          {"asymmetry", v.asymmetry},
                          {"terminals", v.descriptor.terminal_count},
                          {"parts", v.descriptor.parts.size()},
-                         {"readings", 1 + v.further.size()},
                          {"thumbnail_bytes", v.thumbnail.size()}});
     }
     if (!options.picture.empty()) {
