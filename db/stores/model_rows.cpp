@@ -122,7 +122,7 @@ std::uint64_t checksum_of(const std::string& text) {
     return core::fnv1a64(std::as_bytes(std::span(text)));
 }
 
-ModelWriter::ModelWriter(const Database& database, std::array<Statement, 8> statements)
+ModelWriter::ModelWriter(const Database& database, std::array<Statement, 9> statements)
     : database_(&database),
       find_(std::move(statements[0])),
       insert_(std::move(statements[1])),
@@ -131,10 +131,11 @@ ModelWriter::ModelWriter(const Database& database, std::array<Statement, 8> stat
       insert_mesh_(std::move(statements[4])),
       delete_views_(std::move(statements[5])),
       delete_mesh_(std::move(statements[6])),
-      insert_thumbnail_(std::move(statements[7])) {}
+      insert_thumbnail_(std::move(statements[7])),
+      forget_neighbours_(std::move(statements[8])) {}
 
 core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
-    core::Result<std::array<Statement, 8>> statements = prepare_all<8>(
+    core::Result<std::array<Statement, 9>> statements = prepare_all<9>(
         database, {"SELECT id FROM model WHERE source_path = ?",
                    "INSERT INTO model (source_path, name, class_name, content_hash, file_size, build_id, checksum) "
                    "VALUES (?, ?, ?, ?, ?, ?, ?)",
@@ -145,7 +146,8 @@ core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
                    "contour_checksum) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                    "INSERT INTO display_mesh (model_id, mesh, mesh_checksum) VALUES (?, ?, ?)",
                    "DELETE FROM view WHERE model_id = ?", "DELETE FROM display_mesh WHERE model_id = ?",
-                   "INSERT INTO thumbnail (model_id, number, png, png_checksum) VALUES (?, ?, ?, ?)"});
+                   "INSERT INTO thumbnail (model_id, number, png, png_checksum) VALUES (?, ?, ?, ?)",
+                   "DELETE FROM neighbour WHERE model_id = ?1 OR other_id = ?1"});
     if (!statements) return core::unexpected(statements.error());
     return ModelWriter(database, std::move(*statements));
 }
@@ -182,6 +184,7 @@ core::Result<std::int64_t> ModelWriter::write_model_row(const ModelRecord& model
     core::Result<void> done = update(id, model, build_id);
     if (done) done = delete_views_.bind(id).run();
     if (done) done = delete_mesh_.bind(id).run();
+    if (done) done = forget_neighbours_.bind(id).run();
     if (!done) return core::unexpected(done.error());
     return id;
 }

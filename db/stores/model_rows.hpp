@@ -21,11 +21,12 @@ class ModelWriter {
     [[nodiscard]] core::Result<void> update(std::int64_t id, const ModelRecord& model, std::int64_t build_id);
 
   private:
-    ModelWriter(const Database& database, std::array<Statement, 8> statements);
+    ModelWriter(const Database& database, std::array<Statement, 9> statements);
     [[nodiscard]] core::Result<std::int64_t> write_model_row(const ModelRecord& model, std::int64_t build_id);
 
     const Database* database_;
-    Statement find_, insert_, update_, insert_view_, insert_mesh_, delete_views_, delete_mesh_, insert_thumbnail_;
+    Statement find_, insert_, update_, insert_view_, insert_mesh_, delete_views_, delete_mesh_, insert_thumbnail_,
+        forget_neighbours_;
 };
 
 /// Reads models part by part, noting what is damaged and going on. Never throws a whole model away for its mesh.

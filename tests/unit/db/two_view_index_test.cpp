@@ -160,7 +160,8 @@ TEST_CASE("a stale index says so, model by model", "[index]") {
     }
     TwoViewIndex index = open(folder, OpenMode::ReadWrite, {.parameters = "new", .program_version = "1.1"});
     CHECK(fixture::value(index.stale()).value() ==
-          "3 of 3 models were described with other settings; run `croquis index build` again");
+          "3 of 3 models were described with other settings or by another version; call `croquis index build` on "
+          "their files again");
     fixture::value(index.add(fixture::random_model(1)));
     CHECK(fixture::value(index.list())[0].stale);
     CHECK_FALSE(fixture::value(index.list())[1].stale);
