@@ -1,9 +1,11 @@
 #pragma once
 // The index in memory, ready to be searched: every model's two views against one drawing.
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/rerank/neighbour_graph.hpp"
 #include "firmware_like_app/collection/model_search.hpp"
 
 namespace app {
@@ -17,6 +19,12 @@ class Collection {
 
     [[nodiscard]] const std::vector<CollectionModel>& models() const { return models_; }
     [[nodiscard]] const std::vector<db::Damage>& damaged() const { return damaged_; }
+    /// What its user should know, a sentence each: models that were described with other settings than this program's,
+    /// or by another version of it, and what is damaged.
+    [[nodiscard]] std::vector<std::string> warnings() const;
+    /// Who is near to whom (likeness_lists.hpp), by places in models(). Nothing where the index has no such lists, or
+    /// those of another distance.
+    [[nodiscard]] const std::optional<core::NearestLists>& likeness() const { return likeness_; }
 
     /// rank_models for one drawing.
     [[nodiscard]] std::vector<RankedModel> rank(const core::ComparableShape& query, RankBy by, int jobs,
@@ -28,6 +36,8 @@ class Collection {
   private:
     std::vector<CollectionModel> models_;
     std::vector<db::Damage> damaged_;
+    std::optional<std::string> stale_;
+    std::optional<core::NearestLists> likeness_;
 };
 
 }  // namespace app

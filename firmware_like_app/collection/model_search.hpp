@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/fusion/fused_match.hpp"
+#include "core/rerank/query_rerank.hpp"
 #include "db/stores/two_view_index.hpp"
 
 namespace app {
@@ -46,9 +47,14 @@ struct ModelSearch {
                                                    RankBy by);
 
 /// The first `count` of rank_models by the fused distance, the same to the last bit. Contours are compared with all
-/// models, parts with those alone that neither their contours nor the bound of their parts leave behind: one in
-/// fifteen.
+/// models, most of them only until it is known that they are too far; parts with those alone that neither their
+/// contours nor the bound of their parts leave behind, one in fifteen.
 [[nodiscard]] std::vector<RankedModel> nearest_models(std::span<const CollectionModel> models,
                                                       const ModelSearch& search, std::size_t count);
+
+/// The same models along the collection's own likeness (core/rerank), the first one kept; distances as they were.
+/// `ranked` holds all models.
+[[nodiscard]] std::vector<RankedModel> reranked(const core::QueryReranker& reranker,
+                                                const std::vector<RankedModel>& ranked);
 
 }  // namespace app
