@@ -46,6 +46,8 @@ RetrievalMetrics metrics_of_ranking(const std::vector<char>& relevant, int class
         if (rank <= c) m.ft += 1.0 / c;
         if (rank <= 2.0 * c) m.st += 1.0 / c;
         if (rank <= 32.0) hits_32 += 1.0;
+        if (rank <= 5.0) m.first_5 = 1.0;
+        if (rank <= 10.0) m.first_10 = 1.0;
     }
     m.nn = relevant[0] != 0 ? 1.0 : 0.0;
     const double p = hits_32 / 32.0, r = hits_32 / c;
@@ -67,6 +69,8 @@ RetrievalMetrics mean_metrics(const std::vector<RetrievalMetrics>& all) {
         mean.e += w * m.e;
         mean.dcg += w * m.dcg;
         mean.ap += w * m.ap;
+        mean.first_5 += w * m.first_5;
+        mean.first_10 += w * m.first_10;
         for (std::size_t k = 0; k < mean.precision.size(); ++k) mean.precision[k] += w * m.precision[k];
     }
     return mean;

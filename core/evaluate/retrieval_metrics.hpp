@@ -12,12 +12,14 @@ inline constexpr std::size_t kPrecisionRecallPoints = 20;
 
 /// Averages over queries; all in [0, 1], higher is better.
 struct RetrievalMetrics {
-    double nn = 0.0;   ///< share of queries whose first result has their class
-    double ft = 0.0;   ///< first tier: share of the class in the nearest C
-    double st = 0.0;   ///< second tier: in the nearest 2C
-    double e = 0.0;    ///< E-measure of the nearest 32
-    double dcg = 0.0;  ///< discounted cumulated gain over the whole ranking, normalised
-    double ap = 0.0;   ///< average precision
+    double nn = 0.0;        ///< share of queries whose first result has their class
+    double ft = 0.0;        ///< first tier: share of the class in the nearest C
+    double st = 0.0;        ///< second tier: in the nearest 2C
+    double e = 0.0;         ///< E-measure of the nearest 32
+    double dcg = 0.0;       ///< discounted cumulated gain over the whole ranking, normalised
+    double ap = 0.0;        ///< average precision
+    double first_5 = 0.0;   ///< share of queries with a result of their class among the first five …
+    double first_10 = 0.0;  ///< … or ten
     std::array<double, kPrecisionRecallPoints> precision{};  ///< at recall 1/20, 2/20 … 1, linearly interpolated
 };
 

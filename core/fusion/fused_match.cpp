@@ -19,13 +19,27 @@ ComparableShape comparable(const OutlineReadings& readings, const ShapeParameter
     return comparable(readings.parts, readings.contour, parameters);
 }
 
+namespace {
+
+/// The distance of parts at which the fused one is given up. A little above, so that rounding never makes a distance of
+/// one that was given up below the limit.
+double parts_limit(double contour, double give_up_at) {
+    return (give_up_at - contour) * (kPartsScale / kPartsWeight) * 1.0001;
+}
+
+}  // namespace
+
 double FusedMatcher::distance_from(double contour, const ComparableShape& a, const ComparableShape& b,
                                    double give_up_at) {
     if (contour >= give_up_at) return contour;
-    const double parts_give_up_at = (give_up_at - contour) * (kPartsScale / kPartsWeight);
-    // A little above, so that rounding never makes a distance of one that was given up below the limit.
-    const double parts = parts_.distance(a.parts, b.parts, parts_give_up_at * 1.0001);
-    return fused_distance(parts, contour);
+    return fused_distance(parts_.distance(a.parts, b.parts, parts_limit(contour, give_up_at)), contour);
+}
+
+double FusedMatcher::distance_from(double contour, const ComparableShape& a, const PartsBound& bound,
+                                   const ComparableShape& b, double give_up_at) {
+    if (contour >= give_up_at) return contour;
+    if (bound.is_at_least(b.parts, parts_limit(contour, give_up_at))) return give_up_at;
+    return distance_from(contour, a, b, give_up_at);
 }
 
 double FusedMatcher::distance(const ComparableShape& a, const ComparableShape& b, double give_up_at) {

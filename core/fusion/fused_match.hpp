@@ -10,6 +10,7 @@
 
 #include "core/base/result.hpp"
 #include "core/contour/contour_match.hpp"
+#include "core/fusion/parts_bound.hpp"
 #include "core/match/match.hpp"
 #include "core/parts/describe.hpp"
 
@@ -55,6 +56,10 @@ class FusedMatcher {
     /// The same where the contour's distance is known.
     [[nodiscard]] double distance_from(double contour, const ComparableShape& a, const ComparableShape& b,
                                        double give_up_at = std::numeric_limits<double>::infinity());
+    /// The same, with the parts compared only where their bound, which is that of `a`, leaves it open: for one shape
+    /// against many.
+    [[nodiscard]] double distance_from(double contour, const ComparableShape& a, const PartsBound& bound,
+                                       const ComparableShape& b, double give_up_at);
 
     [[nodiscard]] Matcher& parts() { return parts_; }
     [[nodiscard]] ContourMatcher& contour() { return contour_; }

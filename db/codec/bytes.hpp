@@ -22,14 +22,7 @@ using Blob = std::vector<std::byte>;
 using BlobView = std::span<const std::byte>;
 
 /// The first byte of every blob says what it holds, the second one which layout, counted from 1.
-enum class BlobKind : std::uint8_t {
-    Camera = 'C',
-    Contour = 'O',
-    Descriptor = 'D',
-    Mesh = 'M',
-    Polygon = 'P',
-    Readings = 'R'
-};
+enum class BlobKind : std::uint8_t { Camera = 'C', Contour = 'O', Descriptor = 'D', Mesh = 'M', Polygon = 'P' };
 
 class ByteWriter {
   public:

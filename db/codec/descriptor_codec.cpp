@@ -16,9 +16,7 @@ namespace {
 using core::Part;
 using core::ShapeDescriptor;
 
-constexpr std::uint8_t kFull = 1, kCompact = 2;  // layouts
-constexpr std::uint8_t kReadingsVersion = 1;
-constexpr std::size_t kReadingBytes = 16;                                                 // at least
+constexpr std::uint8_t kFull = 1, kCompact = 2;                                           // layouts
 constexpr std::size_t kPartBytes = 5 + 4 * (core::kFeatureCount + core::kSignatureSize);  // at least
 constexpr int kAnyInteger = std::numeric_limits<int>::max();
 
@@ -153,30 +151,6 @@ core::Result<ShapeDescriptor> decode_descriptor(BlobView blob) {
     ShapeDescriptor descriptor = read_layout(in, layout);
     if (const core::Result<void> done = in.finish(); !done) return core::unexpected(done.error());
     return descriptor;
-}
-
-core::Result<Blob> encode_readings(const std::vector<ShapeDescriptor>& readings) {
-    ByteWriter out(BlobKind::Readings, kReadingsVersion);
-    out.varint(readings.size());
-    for (const ShapeDescriptor& reading : readings) {
-        if (const core::Result<void> done = write_layout(out, reading); !done) return core::unexpected(done.error());
-    }
-    return out.take();
-}
-
-core::Result<std::vector<ShapeDescriptor>> decode_readings(BlobView blob) {
-    ByteReader in(blob);
-    std::vector<ShapeDescriptor> readings;
-    if (in.header(BlobKind::Readings, kReadingsVersion) != 0) {
-        const std::size_t count = in.count(kReadingBytes);
-        while (readings.size() < count && !in.failed()) {
-            const std::uint8_t layout = in.u8();
-            if (layout != kFull && layout != kCompact) in.fail("its layout is not known to this program");
-            readings.push_back(read_layout(in, layout));
-        }
-    }
-    if (const core::Result<void> done = in.finish(); !done) return core::unexpected(done.error());
-    return readings;
 }
 
 }  // namespace db

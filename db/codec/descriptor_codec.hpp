@@ -1,5 +1,5 @@
 #pragma once
-// The part descriptor of a shape as a blob, and all readings of a view as one. Two layouts:
+// The part descriptor of a shape as a blob. Two layouts:
 //
 // - 2, compact: about 190 bytes for 100 samples and 17 parts. For every descriptor whose parts are measured from its
 //   samples, as core::describe makes them. What comes back is core::rounded(descriptor), in every bit: the samples lie
@@ -13,8 +13,6 @@
 //
 // A new field: a new version number, its writer, and a reader of its own; the old readers stay. Where the features of a
 // part change, compact blobs give the new ones without being written anew.
-
-#include <vector>
 
 #include "core/base/result.hpp"
 #include "core/parts/descriptor.hpp"
@@ -30,9 +28,5 @@ namespace db {
 /// Memory linear in the size of the blob, whatever it says; time too, with the features of a compact descriptor's parts
 /// to be measured: about 2 us a part, and 50 ms at the very most for one descriptor.
 [[nodiscard]] core::Result<core::ShapeDescriptor> decode_descriptor(BlobView blob);
-
-/// The readings of one view (core/parts/readings.hpp), in order; each in the layout that holds it. Errors as above.
-[[nodiscard]] core::Result<Blob> encode_readings(const std::vector<core::ShapeDescriptor>& readings);
-[[nodiscard]] core::Result<std::vector<core::ShapeDescriptor>> decode_readings(BlobView blob);
 
 }  // namespace db

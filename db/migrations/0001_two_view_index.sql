@@ -24,6 +24,7 @@ CREATE TABLE model (
 
 CREATE INDEX model_of_build ON model (build_id);
 
+-- All that a search reads. An outline without points stands for the samples of the descriptor.
 CREATE TABLE view (
     model_id            INTEGER NOT NULL REFERENCES model (id) ON DELETE CASCADE,
     number              INTEGER NOT NULL CHECK (number IN (0, 1)),
@@ -37,10 +38,23 @@ CREATE TABLE view (
     outline_checksum    INTEGER NOT NULL,
     descriptor          BLOB    NOT NULL,
     descriptor_checksum INTEGER NOT NULL,
+    contour             BLOB    NOT NULL,
+    contour_checksum    INTEGER NOT NULL,
     PRIMARY KEY (model_id, number)
 ) STRICT;
 
--- Apart from the views, because a search reads all views and few meshes.
+-- A small picture of a model from each view's camera, a PNG that any program can show. Apart from the views, because a
+-- search reads none.
+CREATE TABLE thumbnail (
+    model_id     INTEGER NOT NULL,
+    number       INTEGER NOT NULL,
+    png          BLOB    NOT NULL,
+    png_checksum INTEGER NOT NULL,
+    PRIMARY KEY (model_id, number),
+    FOREIGN KEY (model_id, number) REFERENCES view (model_id, number) ON DELETE CASCADE
+) STRICT;
+
+-- Apart for the same reason.
 CREATE TABLE display_mesh (
     model_id      INTEGER PRIMARY KEY REFERENCES model (id) ON DELETE CASCADE,
     mesh          BLOB    NOT NULL,

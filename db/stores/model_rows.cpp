@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <utility>
 
 #include "core/base/checksum.hpp"
@@ -19,7 +18,7 @@ namespace {
 constexpr const char* kNotAsWritten = "it is damaged (its checksum differs); build the model again";
 
 struct EncodedView {
-    Blob camera, outline, readings, contour;
+    Blob camera, outline, descriptor, contour;
 };
 
 struct EncodedModel {
@@ -41,17 +40,15 @@ core::Result<EncodedView> encode_view(const ModelView& view) {
     }
     core::Result<Blob> camera = encode_camera(view.camera);
     if (!camera) return core::unexpected(camera.error());
-    // The samples of the first reading are the outline of most views, and need not be stored twice.
+    // The samples of the descriptor are the outline of most views, and need not be stored twice.
     const bool sampled = view.outline == view.descriptor.samples;
     core::Result<Blob> outline = encode_polygon(sampled ? core::Polygon() : view.outline);
     if (!outline) return core::unexpected(outline.error());
-    std::vector<core::ShapeDescriptor> all{view.descriptor};
-    all.insert(all.end(), view.further.begin(), view.further.end());
-    core::Result<Blob> readings = encode_readings(all);
-    if (!readings) return core::unexpected(readings.error());
+    core::Result<Blob> descriptor = encode_descriptor(view.descriptor);
+    if (!descriptor) return core::unexpected(descriptor.error());
     core::Result<Blob> contour = encode_contour(view.contour);
     if (!contour) return core::unexpected(contour.error());
-    return EncodedView{std::move(*camera), std::move(*outline), std::move(*readings), std::move(*contour)};
+    return EncodedView{std::move(*camera), std::move(*outline), std::move(*descriptor), std::move(*contour)};
 }
 
 core::Result<EncodedModel> encode_model(const ModelRecord& model) {
@@ -135,7 +132,7 @@ ModelWriter::ModelWriter(const Database& database, std::array<Statement, 9> stat
       delete_views_(std::move(statements[5])),
       delete_mesh_(std::move(statements[6])),
       insert_thumbnail_(std::move(statements[7])),
-      insert_contour_(std::move(statements[8])) {}
+      forget_neighbours_(std::move(statements[8])) {}
 
 core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
     core::Result<std::array<Statement, 9>> statements = prepare_all<9>(
@@ -145,12 +142,12 @@ core::Result<ModelWriter> ModelWriter::prepare(const Database& database) {
                    "UPDATE model SET source_path = ?, name = ?, class_name = ?, content_hash = ?, file_size = ?, "
                    "build_id = ?, checksum = ? WHERE id = ?",
                    "INSERT INTO view (model_id, number, camera_number, skeletal_length, asymmetry, checksum, camera, "
-                   "camera_checksum, outline, outline_checksum, descriptor, descriptor_checksum) "
-                   "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                   "camera_checksum, outline, outline_checksum, descriptor, descriptor_checksum, contour, "
+                   "contour_checksum) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                    "INSERT INTO display_mesh (model_id, mesh, mesh_checksum) VALUES (?, ?, ?)",
                    "DELETE FROM view WHERE model_id = ?", "DELETE FROM display_mesh WHERE model_id = ?",
                    "INSERT INTO thumbnail (model_id, number, png, png_checksum) VALUES (?, ?, ?, ?)",
-                   "INSERT INTO contour (model_id, number, contour, contour_checksum) VALUES (?, ?, ?, ?)"});
+                   "DELETE FROM neighbour WHERE model_id = ?1 OR other_id = ?1"});
     if (!statements) return core::unexpected(statements.error());
     return ModelWriter(database, std::move(*statements));
 }
@@ -187,6 +184,7 @@ core::Result<std::int64_t> ModelWriter::write_model_row(const ModelRecord& model
     core::Result<void> done = update(id, model, build_id);
     if (done) done = delete_views_.bind(id).run();
     if (done) done = delete_mesh_.bind(id).run();
+    if (done) done = forget_neighbours_.bind(id).run();
     if (!done) return core::unexpected(done.error());
     return id;
 }
@@ -202,13 +200,9 @@ core::Result<std::int64_t> ModelWriter::write(const ModelRecord& model, std::int
         insert_view_.bind(checksum_of_view(view));
         bind_with_checksum(insert_view_, encoded->views[i].camera);
         bind_with_checksum(insert_view_, encoded->views[i].outline);
-        bind_with_checksum(insert_view_, encoded->views[i].readings);
+        bind_with_checksum(insert_view_, encoded->views[i].descriptor);
+        bind_with_checksum(insert_view_, encoded->views[i].contour);
         core::Result<void> done = insert_view_.run();
-        if (done) {
-            insert_contour_.bind(*id).bind(i);
-            bind_with_checksum(insert_contour_, encoded->views[i].contour);
-            done = insert_contour_.run();
-        }
         if (done && !view.thumbnail.empty()) {
             insert_thumbnail_.bind(*id).bind(i);
             bind_with_checksum(insert_thumbnail_, view.thumbnail);
@@ -222,25 +216,21 @@ core::Result<std::int64_t> ModelWriter::write(const ModelRecord& model, std::int
     return id;
 }
 
-ModelReader::ModelReader(std::array<Statement, 6> statements)
+ModelReader::ModelReader(std::array<Statement, 4> statements)
     : model_(std::move(statements[0])),
       view_(std::move(statements[1])),
       mesh_(std::move(statements[2])),
-      reading_(std::move(statements[3])),
-      thumbnail_(std::move(statements[4])),
-      contour_(std::move(statements[5])) {}
+      thumbnail_(std::move(statements[3])) {}
 
 core::Result<ModelReader> ModelReader::prepare(const Database& database) {
-    core::Result<std::array<Statement, 6>> statements = prepare_all<6>(
+    core::Result<std::array<Statement, 4>> statements = prepare_all<4>(
         database, {"SELECT source_path, name, class_name, content_hash, file_size, build_id, checksum FROM model "
                    "WHERE id = ?",
                    "SELECT camera_number, skeletal_length, asymmetry, checksum, camera, camera_checksum, outline, "
-                   "outline_checksum, descriptor, descriptor_checksum FROM view WHERE model_id = ? AND number = ?",
+                   "outline_checksum, descriptor, descriptor_checksum, contour, contour_checksum FROM view "
+                   "WHERE model_id = ? AND number = ?",
                    "SELECT mesh, mesh_checksum FROM display_mesh WHERE model_id = ?",
-                   "SELECT reading, descriptor, descriptor_checksum FROM reading WHERE model_id = ? AND number = ? "
-                   "ORDER BY reading",
-                   "SELECT png, png_checksum FROM thumbnail WHERE model_id = ? AND number = ?",
-                   "SELECT contour, contour_checksum FROM contour WHERE model_id = ? AND number = ?"});
+                   "SELECT png, png_checksum FROM thumbnail WHERE model_id = ? AND number = ?"});
     if (!statements) return core::unexpected(statements.error());
     return ModelReader(std::move(*statements));
 }
@@ -298,52 +288,10 @@ void ModelReader::read_view(int number, ModelRecord& model, std::vector<Damage>&
     }
     read_blob(view_, 4, decode_camera, view.camera, damage("camera of " + label), damaged);
     read_blob(view_, 6, decode_polygon, view.outline, damage("outline of " + label), damaged);
-    const BlobView blob = view_.blob(8);
-    if (!blob.empty() && blob.front() == static_cast<std::byte>(BlobKind::Descriptor)) {
-        read_blob(view_, 8, decode_descriptor, view.descriptor, damage("descriptor of " + label), damaged);
-        view_.reset();
-        read_old_readings(number, model, damaged);
-    } else {
-        std::vector<core::ShapeDescriptor> readings;
-        const std::size_t before = damaged.size();
-        read_blob(view_, 8, decode_readings, readings, damage("descriptor of " + label), damaged);
-        view_.reset();
-        if (readings.empty()) {
-            if (damaged.size() == before) damaged.push_back(damage("descriptor of " + label, kNotAsWritten));
-            return;
-        }
-        view.descriptor = std::move(readings.front());
-        view.further.assign(std::make_move_iterator(readings.begin() + 1), std::make_move_iterator(readings.end()));
-    }
+    read_blob(view_, 8, decode_descriptor, view.descriptor, damage("descriptor of " + label), damaged);
+    read_blob(view_, 10, decode_contour, view.contour, damage("contour of " + label), damaged);
+    view_.reset();
     if (view.outline.empty()) view.outline = view.descriptor.samples;
-    read_contour(number, model, damaged);
-}
-
-void ModelReader::read_contour(int number, ModelRecord& model, std::vector<Damage>& damaged) {
-    const Damage damage{model.id, model.name, "contour of view " + std::to_string(number), {}};
-    const core::Result<bool> row = contour_.bind(model.id).bind(number).step();
-    if (row && *row) {
-        read_blob(contour_, 0, decode_contour, model.views[static_cast<std::size_t>(number)].contour, damage, damaged);
-    } else {
-        damaged.push_back(damage);
-        damaged.back().message = row ? "it is missing; build the model again" : row.error().message;
-    }
-    contour_.reset();
-}
-
-void ModelReader::read_old_readings(int number, ModelRecord& model, std::vector<Damage>& damaged) {
-    ModelView& view = model.views[static_cast<std::size_t>(number)];
-    reading_.bind(model.id).bind(number);
-    for (std::int64_t expected = 1;; ++expected) {
-        const std::string part = "reading " + std::to_string(expected) + " of view " + std::to_string(number);
-        const core::Result<bool> row = reading_.step();
-        if (!row) damaged.push_back({model.id, model.name, part, row.error().message});
-        if (!row || !*row) break;
-        if (reading_.integer(0) != expected) damaged.push_back({model.id, model.name, part, kNotAsWritten});
-        read_blob(reading_, 1, decode_descriptor, view.further.emplace_back(), {model.id, model.name, part, {}},
-                  damaged);
-    }
-    reading_.reset();
 }
 
 std::optional<core::TriangleMesh> ModelReader::read_mesh(std::int64_t id, const std::string& name,
@@ -424,16 +372,12 @@ bool ModelReader::is_view_whole(std::int64_t id, int number) {
         v.skeletal_length = view_.real(1);
         v.asymmetry = view_.real(2);
         return view_.integer(0) >= 0 && checksum_of_view(v) == static_cast<std::uint64_t>(view_.integer(3)) &&
-               is_blob_whole(view_, 4) && is_blob_whole(view_, 6) && is_blob_whole(view_, 8);
+               is_blob_whole(view_, 4) && is_blob_whole(view_, 6) && is_blob_whole(view_, 8) &&
+               is_blob_whole(view_, 10);
     });
-    reading_.bind(id).bind(number);
-    const bool readings =
-        all_rows(reading_, 0, [&](int row) { return reading_.integer(0) == row && is_blob_whole(reading_, 1); });
     thumbnail_.bind(id).bind(number);
     const bool thumbnail = all_rows(thumbnail_, 0, [&](int) { return is_blob_whole(thumbnail_, 0); });
-    contour_.bind(id).bind(number);
-    const bool contour = all_rows(contour_, 1, [&](int) { return is_blob_whole(contour_, 0); });
-    return view && readings && thumbnail && contour;
+    return view && thumbnail;
 }
 
 }  // namespace db

@@ -1,5 +1,5 @@
 #pragma once
-// One model <-> its rows in `model`, `view`, `contour`, `thumbnail` and `display_mesh`, checksums included. Of use
+// One model <-> its rows in `model`, `view`, `thumbnail` and `display_mesh`, checksums included. Of use
 // inside db/stores only.
 
 #include <array>
@@ -26,7 +26,7 @@ class ModelWriter {
 
     const Database* database_;
     Statement find_, insert_, update_, insert_view_, insert_mesh_, delete_views_, delete_mesh_, insert_thumbnail_,
-        insert_contour_;
+        forget_neighbours_;
 };
 
 /// Reads models part by part, noting what is damaged and going on. Never throws a whole model away for its mesh.
@@ -48,14 +48,11 @@ class ModelReader {
     [[nodiscard]] std::int64_t build_id() const { return build_id_; }
 
   private:
-    explicit ModelReader(std::array<Statement, 6> statements);
+    explicit ModelReader(std::array<Statement, 4> statements);
     [[nodiscard]] bool is_view_whole(std::int64_t id, int number);
     void read_view(int number, ModelRecord& model, std::vector<Damage>& damaged);
-    void read_contour(int number, ModelRecord& model, std::vector<Damage>& damaged);
-    /// Until schema 2 a view's row held its first reading and `reading` the others; now the row holds all.
-    void read_old_readings(int number, ModelRecord& model, std::vector<Damage>& damaged);
 
-    Statement model_, view_, mesh_, reading_, thumbnail_, contour_;
+    Statement model_, view_, mesh_, thumbnail_;
     std::int64_t build_id_ = 0;
 };
 

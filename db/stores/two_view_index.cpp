@@ -11,7 +11,8 @@ namespace db {
 namespace {
 
 constexpr const char* kEntryColumns =
-    "SELECT model.id, name, class_name, source_path, content_hash, file_size, parameters <> ?1 "
+    "SELECT model.id, name, class_name, source_path, content_hash, file_size, "
+    "parameters <> ?1 OR program_version <> ?2 "
     "FROM model JOIN build ON build.id = model.build_id ";
 
 ModelEntry entry_of(const Statement& row) {
@@ -86,9 +87,10 @@ core::Result<std::int64_t> TwoViewIndex::build_id() {
 }
 
 core::Result<std::optional<ModelEntry>> TwoViewIndex::find(const std::string& source_path) const {
-    core::Result<Statement> find = database_.prepare(std::string(kEntryColumns) + "WHERE source_path = ?2");
+    core::Result<Statement> find = database_.prepare(std::string(kEntryColumns) + "WHERE source_path = ?3");
     if (!find) return core::unexpected(find.error());
-    const core::Result<bool> row = find->bind(options_.parameters).bind(source_path).step();
+    const core::Result<bool> row =
+        find->bind(options_.parameters).bind(options_.program_version).bind(source_path).step();
     if (!row) return core::unexpected(row.error());
     if (!*row) return std::optional<ModelEntry>();
     return std::optional<ModelEntry>(entry_of(*find));
@@ -132,7 +134,7 @@ core::Result<void> TwoViewIndex::remove(std::int64_t id) {
 core::Result<std::vector<ModelEntry>> TwoViewIndex::list() const {
     core::Result<Statement> all = database_.prepare(std::string(kEntryColumns) + "ORDER BY model.id");
     if (!all) return core::unexpected(all.error());
-    all->bind(options_.parameters);
+    all->bind(options_.parameters).bind(options_.program_version);
     std::vector<ModelEntry> entries;
     for (;;) {
         const core::Result<bool> row = all->step();
@@ -244,7 +246,10 @@ core::Result<IndexInfo> TwoViewIndex::info() const {
                                .parameters_hash = static_cast<std::uint64_t>(builds->integer(2)),
                                .models = builds->integer(3)});
         info.models += info.builds.back().models;
-        if (info.builds.back().parameters != options_.parameters) info.stale_models += info.builds.back().models;
+        const BuildInfo& build = info.builds.back();
+        const bool current =
+            build.parameters == options_.parameters && build.program_version == options_.program_version;
+        if (!current) info.stale_models += build.models;
     }
 }
 
@@ -253,7 +258,8 @@ core::Result<std::optional<std::string>> TwoViewIndex::stale() const {
     if (!known) return core::unexpected(known.error());
     if (known->stale_models == 0) return std::optional<std::string>();
     return std::optional<std::string>(std::to_string(known->stale_models) + " of " + std::to_string(known->models) +
-                                      " models were described with other settings; run `croquis index build` again");
+                                      " models were described with other settings or by another version; call `croquis "
+                                      "index build` on their files again");
 }
 
 }  // namespace db

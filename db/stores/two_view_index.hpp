@@ -34,11 +34,10 @@ struct ModelView {
     int camera_number = 0;  ///< among the 50 of 7.1.1, from 0
     core::Polygon outline;  ///< contour in the image plane [-1, 1] x [-1, 1], y up
     core::ShapeDescriptor descriptor;
-    core::ContourDescriptor contour;             ///< of the same outline
-    std::vector<core::ShapeDescriptor> further;  ///< readings 1, 2 … of the same outline; may be empty
-    double skeletal_length = 0.0;                ///< 7.1.2
-    double asymmetry = 0.0;                      ///< 7.1.2, distance to the reversed self
-    std::vector<std::byte> thumbnail;            ///< a PNG of the model from `camera`; empty: none
+    core::ContourDescriptor contour;   ///< of the same outline
+    double skeletal_length = 0.0;      ///< 7.1.2
+    double asymmetry = 0.0;            ///< 7.1.2, distance to the reversed self
+    std::vector<std::byte> thumbnail;  ///< a PNG of the model from `camera`; empty: none
 };
 
 struct ModelRecord {
@@ -60,7 +59,7 @@ struct ModelEntry {
     std::string source_path;
     std::uint64_t content_hash = 0;
     std::uint64_t file_size = 0;
-    bool stale = false;  ///< described with other parameters than those given at open
+    bool stale = false;  ///< described with other parameters, or by another program, than those given at open
 };
 
 /// One thing in the index that is not as it was written.
@@ -80,6 +79,22 @@ struct LoadedModels {
     std::vector<Damage> damaged;      ///< what was passed over
 };
 
+/// A model near to another one.
+struct StoredNeighbour {
+    std::int64_t id = 0;
+    float distance = 0.0F;
+
+    friend bool operator==(const StoredNeighbour&, const StoredNeighbour&) = default;
+};
+
+/// The nearest others of one model, nearest first.
+struct NeighbourList {
+    std::int64_t model_id = 0;
+    std::vector<StoredNeighbour> nearest;
+
+    friend bool operator==(const NeighbourList&, const NeighbourList&) = default;
+};
+
 struct BuildInfo {
     std::string program_version;
     std::string parameters;
@@ -90,14 +105,14 @@ struct BuildInfo {
 struct IndexInfo {
     int schema_version = 0;
     std::int64_t models = 0;
-    std::int64_t stale_models = 0;  ///< described with other parameters than those given at open
+    std::int64_t stale_models = 0;  ///< see ModelEntry::stale
     std::int64_t bytes = 0;         ///< of the file, its log not counted
     std::vector<BuildInfo> builds;  ///< those that some model has, oldest first
 };
 
 struct IndexOptions {
-    std::string parameters;  ///< of the description, in any spelling; a model described with another text is stale
-    std::string program_version = {};  ///< empty: that of this program
+    std::string parameters;  ///< of the description, in any spelling; a model described with another text is stale …
+    std::string program_version = {};  ///< … and one described by another program; empty: this program
     int busy_timeout_ms = 5000;        ///< how long to wait for another program's lock
     std::int64_t max_pages = 0;        ///< largest size in pages of 16 kB; 0: as much as the disk holds
 };
@@ -117,7 +132,7 @@ class TwoViewIndex {
 
     /// The model of a source path, if there is one.
     [[nodiscard]] core::Result<std::optional<ModelEntry>> find(const std::string& source_path) const;
-    /// True when the path is in the index with this content, described with the parameters given at open.
+    /// True when the path is in the index with this content, and not stale.
     [[nodiscard]] core::Result<bool> is_unchanged(const std::string& source_path, std::uint64_t content_hash,
                                                   std::uint64_t file_size) const;
     /// Gives a model another name and class without describing it again. BadArgument if there is no such id.
@@ -127,8 +142,7 @@ class TwoViewIndex {
 
     /// All models in the order of ids, without blobs.
     [[nodiscard]] core::Result<std::vector<ModelEntry>> list() const;
-    /// What a search needs, of one moment. 1,000 models with three readings a view take some 300 ms of one core, most
-    /// of it measuring their parts.
+    /// What a search needs, of one moment. 1,000 models take some 150 ms of one core, most of it measuring their parts.
     [[nodiscard]] core::Result<LoadedModels> load_views() const;
     /// One whole model, its mesh and thumbnails included. BadArgument if there is no such id.
     [[nodiscard]] core::Result<ModelRecord> load(std::int64_t id) const;
@@ -136,6 +150,17 @@ class TwoViewIndex {
     [[nodiscard]] core::Result<core::TriangleMesh> load_display_mesh(std::int64_t id) const;
     /// The PNG of view 0 or 1; empty where the model has none. BadArgument if there is no such id.
     [[nodiscard]] core::Result<std::vector<std::byte>> load_thumbnail(std::int64_t id, int view) const;
+
+    /// By which distance the neighbour lists are measured, in any spelling; nothing in an index without such lists.
+    [[nodiscard]] core::Result<std::optional<std::string>> likeness_measure() const;
+    /// Makes it an index with neighbour lists of this distance. Lists of another one are thrown away.
+    [[nodiscard]] core::Result<void> keep_likeness(const std::string& measure);
+    /// The lists, in the order of ids. Models that were added since have none; a list is short where a model was taken
+    /// out of it, or a row is damaged: both are to be measured again.
+    [[nodiscard]] core::Result<std::vector<NeighbourList>> neighbour_lists() const;
+    /// Replaces the lists of these models in one transaction. What names a model that is no longer there is passed
+    /// over. BadArgument where a list names its own model, or its distances are not finite, below 0 or not ascending.
+    [[nodiscard]] core::Result<void> store_neighbours(std::span<const NeighbourList> lists);
 
     /// Looks at every page, reference, checksum and blob; empty when all is well. Goes on after each find.
     [[nodiscard]] core::Result<std::vector<Damage>> check() const;
@@ -145,7 +170,7 @@ class TwoViewIndex {
     /// Gives the space of removed models back to the disk. Needs as much free space as the index has.
     [[nodiscard]] core::Result<void> vacuum();
     [[nodiscard]] core::Result<IndexInfo> info() const;
-    /// A sentence when some models were described with other parameters than those given at open, else nothing.
+    /// A sentence when some models are stale, else nothing.
     [[nodiscard]] core::Result<std::optional<std::string>> stale() const;
 
   private:

@@ -1,5 +1,6 @@
 #include "db/sqlite/transaction.hpp"
 #include "db/stores/model_rows.hpp"
+#include "db/stores/neighbour_rows.hpp"
 #include "db/stores/two_view_index.hpp"
 
 namespace db {
@@ -47,6 +48,21 @@ void check_builds(const Database& database, std::vector<Damage>& damaged) {
             report(damaged, "the parameters of build " + std::to_string(builds->integer(0)) +
                                 " are damaged; build the index again");
         }
+    }
+}
+
+/// A damaged row of a neighbour list costs no model: the list is measured again.
+void check_neighbours(const Database& database, std::vector<Damage>& damaged) {
+    core::Result<Statement> rows = database.prepare(kNeighbourRows);
+    if (!rows) return report(damaged, rows.error().message);
+    for (std::int64_t last = 0;;) {
+        const core::Result<bool> row = rows->step();
+        if (!row) return report(damaged, row.error().message);
+        if (!*row) return;
+        const NeighbourRow neighbour = neighbour_row(*rows);
+        if (neighbour.sound || neighbour.model_id == last) continue;
+        last = neighbour.model_id;
+        damaged.push_back({neighbour.model_id, {}, "neighbours", "they are damaged; build the index again"});
     }
 }
 
@@ -99,6 +115,7 @@ core::Result<std::vector<Damage>> TwoViewIndex::check() const {
     check_references(database_, damaged);
     check_builds(database_, damaged);
     check_models(database_, damaged);
+    check_neighbours(database_, damaged);
     return damaged;
 }
 

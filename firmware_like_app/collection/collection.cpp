@@ -1,131 +1,74 @@
 #include "firmware_like_app/collection/collection.hpp"
 
-#include <algorithm>
-#include <limits>
-#include <mutex>
-#include <numeric>
-
 #include "core/base/parallel.hpp"
+#include "firmware_like_app/collection/likeness_lists.hpp"
+#include "firmware_like_app/collection/model_views.hpp"
 
 namespace app {
 
+namespace {
+
+/// Made ready for matching. Copied once more, since what was filled item by item has room for more, and a copy has not:
+/// a quarter of the memory.
+void make_comparable(const db::ModelView& view, const core::ShapeParameters& parameters, core::ComparableShape& out) {
+    const core::ComparableShape shape = core::comparable(view.descriptor, view.contour, parameters);
+    out = shape;
+}
+
+core::Result<std::optional<core::NearestLists>> likeness_of(const db::TwoViewIndex& index,
+                                                            const std::vector<CollectionModel>& models) {
+    const core::Result<std::optional<std::string>> measure = index.likeness_measure();
+    if (!measure) return core::unexpected(measure.error());
+    if (*measure != likeness_measure()) return std::optional<core::NearestLists>();
+    const core::Result<std::vector<db::NeighbourList>> lists = index.neighbour_lists();
+    if (!lists) return core::unexpected(lists.error());
+    std::vector<std::int64_t> ids;
+    for (const CollectionModel& model : models) ids.push_back(model.record.id);
+    return std::optional<core::NearestLists>(lists_by_place(*lists, ids));
+}
+
+}  // namespace
+
 core::Result<Collection> Collection::load(const std::string& database, const core::ShapeParameters& parameters) {
-    const core::Result<db::TwoViewIndex> index = db::TwoViewIndex::open(database, db::OpenMode::ReadOnly);
+    ViewParameters described_with;
+    described_with.shape = parameters;
+    const core::Result<db::TwoViewIndex> index =
+        db::TwoViewIndex::open(database, db::OpenMode::ReadOnly, {.parameters = parameters_text(described_with)});
     if (!index) return core::unexpected(index.error());
     core::Result<db::LoadedModels> loaded = index->load_views();
     if (!loaded) return core::unexpected(loaded.error());
+    core::Result<std::optional<std::string>> stale = index->stale();
+    if (!stale) return core::unexpected(stale.error());
     Collection collection;
+    collection.stale_ = std::move(*stale);
     collection.damaged_ = std::move(loaded->damaged);
     collection.models_.resize(loaded->models.size());
     core::parallel_for(loaded->models.size(), core::core_count(), [&](std::size_t i, int) {
         CollectionModel& model = collection.models_[i];
         model.record = std::move(loaded->models[i]);
-        for (std::size_t v = 0; v < 2; ++v) {
-            const db::ModelView& view = model.record.views[v];
-            model.views[v] = core::comparable(view.descriptor, view.contour, parameters);
-        }
+        for (std::size_t v = 0; v < 2; ++v) make_comparable(model.record.views[v], parameters, model.views[v]);
     });
+    core::Result<std::optional<core::NearestLists>> likeness = likeness_of(*index, collection.models_);
+    if (!likeness) return core::unexpected(likeness.error());
+    collection.likeness_ = std::move(*likeness);
     return collection;
 }
 
-namespace {
-
-/// The nearer of two views by what `distance(view, give_up_at)` gives; the first of equals.
-template <typename Distance>
-RankedModel nearer_view(std::size_t model, const Distance& distance) {
-    const double first = distance(0, std::numeric_limits<double>::infinity());
-    const double second = distance(1, first);
-    return {model, second < first ? 1 : 0, std::min(first, second)};
+std::vector<std::string> Collection::warnings() const {
+    std::vector<std::string> sentences;
+    if (stale_) sentences.push_back(*stale_);
+    for (const db::Damage& damage : damaged_) sentences.push_back(damage.sentence());
+    return sentences;
 }
 
-void sort_by_distance(std::vector<RankedModel>& ranked) {
-    std::sort(ranked.begin(), ranked.end(), [](const RankedModel& a, const RankedModel& b) {
-        return a.distance != b.distance ? a.distance < b.distance : a.model < b.model;
-    });
-}
-
-std::size_t threads(int jobs) {
-    return static_cast<std::size_t>(std::max(1, jobs));
-}
-
-/// The nearest models so far, shared by all threads. Which models are compared depends on when others finish; which are
-/// the nearest does not.
-class NearestSoFar {
-  public:
-    explicit NearestSoFar(std::size_t count) : count_(count) {}
-
-    /// A model farther than this is none of the nearest.
-    [[nodiscard]] double limit() {
-        const std::lock_guard lock(mutex_);
-        return best_.size() < count_ ? std::numeric_limits<double>::infinity() : best_.back().distance;
-    }
-    void offer(const RankedModel& model) {
-        const std::lock_guard lock(mutex_);
-        best_.push_back(model);
-        sort_by_distance(best_);
-        if (best_.size() > count_) best_.pop_back();
-    }
-    [[nodiscard]] std::vector<RankedModel> take() { return std::move(best_); }
-
-  private:
-    std::size_t count_;
-    std::mutex mutex_;
-    std::vector<RankedModel> best_;  // sorted
-};
-
-/// Just above a limit, so that a model as far as it is still compared: ids decide among equals.
-double just_above(double limit) {
-    return std::nextafter(limit, std::numeric_limits<double>::infinity());
-}
-
-}  // namespace
-
-std::vector<RankedModel> Collection::rank(const core::ComparableShape& query, Reading reading, int jobs,
+std::vector<RankedModel> Collection::rank(const core::ComparableShape& query, RankBy by, int jobs,
                                           std::stop_token stop) const {
-    std::vector<RankedModel> ranked(models_.size());
-    std::vector<core::FusedMatcher> matchers(threads(jobs));
-    core::parallel_for(models_.size(), std::max(1, jobs), [&](std::size_t i, int worker) {
-        ranked[i].model = i;
-        if (stop.stop_requested()) return;
-        core::FusedMatcher& matcher = matchers[static_cast<std::size_t>(worker)];
-        ranked[i] = nearer_view(i, [&](std::size_t v, double give_up_at) {
-            const core::ComparableShape& view = models_[i].views[v];
-            return reading == Reading::Parts ? matcher.parts().distance(query.parts, view.parts, give_up_at)
-                                             : matcher.distance(query, view, give_up_at);
-        });
-    });
-    sort_by_distance(ranked);
-    return ranked;
+    return rank_models(models_, {.readings = {&query, 1}, .jobs = jobs, .stop = std::move(stop)}, by);
 }
 
 std::vector<RankedModel> Collection::nearest(const core::ComparableShape& query, std::size_t count, int jobs,
                                              std::stop_token stop) const {
-    std::vector<std::array<double, 2>> contours(models_.size());
-    std::vector<core::FusedMatcher> matchers(threads(jobs));
-    core::parallel_for(models_.size(), std::max(1, jobs), [&](std::size_t i, int worker) {
-        if (stop.stop_requested()) return;
-        for (std::size_t v = 0; v < 2; ++v) {
-            contours[i][v] = matchers[static_cast<std::size_t>(worker)].contour().distance(query.contour,
-                                                                                           models_[i].views[v].contour);
-        }
-    });
-    // Likely ones first, so that the limit falls fast.
-    std::vector<std::size_t> order(models_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto nearer = [&](std::size_t i) { return std::min(contours[i][0], contours[i][1]); };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return nearer(a) < nearer(b); });
-    NearestSoFar best(count);
-    core::parallel_for(order.size(), std::max(1, jobs), [&](std::size_t k, int worker) {
-        const std::size_t i = order[k];
-        const double limit = just_above(best.limit());
-        if (nearer(i) >= limit || stop.stop_requested()) return;
-        core::FusedMatcher& matcher = matchers[static_cast<std::size_t>(worker)];
-        const RankedModel found = nearer_view(i, [&](std::size_t v, double give_up_at) {
-            return matcher.distance_from(contours[i][v], query, models_[i].views[v], std::min(give_up_at, limit));
-        });
-        if (found.distance < limit) best.offer(found);
-    });
-    return best.take();
+    return nearest_models(models_, {.readings = {&query, 1}, .jobs = jobs, .stop = std::move(stop)}, count);
 }
 
 }  // namespace app

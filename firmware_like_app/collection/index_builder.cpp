@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "core/exchange/mesh_reader.hpp"
+#include "firmware_like_app/collection/likeness_lists.hpp"
 #include "firmware_like_app/collection/memory_gate.hpp"
 #include "firmware_like_app/collection/ordered_work.hpp"
 #include "firmware_like_app/collection/stopwatch.hpp"
@@ -81,7 +82,7 @@ class Builder {
             [&](std::size_t i, Outcome outcome) {
                 if (!take(files[i], std::move(outcome))) return false;
                 if (batch_.size() >= kBatchModels || since_stored_.ms() > kBatchMs) stored = store();
-                if (progress) progress({i + 1, files.size()});
+                if (progress) progress({.done = i + 1, .total = files.size()});
                 return stored.has_value();
             });
         if (stored) stored = store();
@@ -231,6 +232,22 @@ class Builder {
     IndexBuildReport report_;
 };
 
+/// Brings the neighbour lists up to date, where the index is to have them.
+core::Result<void> measure_likeness(const IndexBuildOptions& options, db::TwoViewIndex& index, std::stop_token stop,
+                                    const std::function<void(IndexBuildProgress)>& progress, IndexBuildReport& report) {
+    const core::Result<std::optional<std::string>> measure = index.likeness_measure();
+    if (!measure) return core::unexpected(measure.error());
+    if ((!options.likeness && !*measure) || report.interrupted) return {};
+    const core::Result<LikenessReport> done =
+        update_likeness(index, options.jobs, stop, [&progress](std::size_t models, std::size_t total) {
+            if (progress) progress({.done = models, .total = total, .measuring = true});
+        });
+    if (!done) return core::unexpected(done.error());
+    report.measured = done->measured;
+    report.interrupted = done->interrupted;
+    return {};
+}
+
 }  // namespace
 
 core::Result<IndexBuildReport> build_index(const IndexBuildOptions& options, std::stop_token stop,
@@ -245,8 +262,11 @@ core::Result<IndexBuildReport> build_index(const IndexBuildOptions& options, std
     core::Result<db::TwoViewIndex> index = db::TwoViewIndex::open(options.database, db::OpenMode::Create,
                                                                   {.parameters = parameters_text(options.parameters)});
     if (!index) return core::unexpected(index.error());
-    core::Result<IndexBuildReport> report = Builder(options, *index, std::move(stop)).build(std::move(found), progress);
-    if (report) report->ms = watch.ms();
+    core::Result<IndexBuildReport> report = Builder(options, *index, stop).build(std::move(found), progress);
+    if (!report) return report;
+    const core::Result<void> measured = measure_likeness(options, *index, stop, progress, *report);
+    if (!measured) return core::unexpected(measured.error());
+    report->ms = watch.ms();
     return report;
 }
 

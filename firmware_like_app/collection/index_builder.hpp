@@ -17,6 +17,7 @@ struct IndexBuildOptions {
     std::vector<core::LabelledFile> classes;  ///< class names by file
     std::string database;
     int jobs = 1;
+    bool likeness = false;  ///< measure which models are near to which; an index that has this keeps it up to date
     ViewParameters parameters;
 };
 
@@ -24,14 +25,16 @@ struct IndexBuildReport {
     int added = 0;    ///< new, changed, or stale and described again
     int skipped = 0;  ///< unchanged
     std::vector<PassedOver> failed;
+    int measured = 0;              ///< models whose nearest others were looked for
     std::vector<PassedOver> kept;  ///< stale or damaged, but their files are gone: left as they are
     bool interrupted = false;
     double ms = 0.0;
 };
 
 struct IndexBuildProgress {
-    std::size_t done = 0;  ///< files
+    std::size_t done = 0;  ///< files, or models
     std::size_t total = 0;
+    bool measuring = false;  ///< models are described; who is near to whom is being measured (likeness_lists.hpp)
 };
 
 /// Adds in the order of paths, so that ids do not depend on the number of jobs, nor on whether a build was interrupted,

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/base/parallel.hpp"
 #include "core/starter/starter_collection.hpp"
@@ -26,6 +27,7 @@ struct IndexOptions {
     int view = 0;
     int jobs = core::core_count();
     bool json = false;
+    bool graph = false;
 };
 
 /// File names may be of any bytes; what is no UTF-8 is replaced.
@@ -84,11 +86,9 @@ void print_build_report(const IndexBuildReport& report, bool json) {
         std::fprintf(stderr, "croquis: %s: %s\n", f.file.c_str(), f.why.c_str());
     }
     if (json) {
-        const ordered_json out{{"added", report.added},
-                               {"skipped", report.skipped},
-                               {"failed", as_json(report.failed)},
-                               {"kept", as_json(report.kept)},
-                               {"ms", report.ms}};
+        const ordered_json out{
+            {"added", report.added},        {"skipped", report.skipped},   {"failed", as_json(report.failed)},
+            {"kept", as_json(report.kept)}, {"measured", report.measured}, {"ms", report.ms}};
         print_json(out);
         return;
     }
@@ -98,8 +98,16 @@ void print_build_report(const IndexBuildReport& report, bool json) {
 
 core::Result<IndexBuildReport> build_with_progress(const IndexBuildOptions& build) {
     const Interruptible interruptible;
-    ProgressBar bar("models");
-    return build_index(build, Interruptible::token(), [&bar](IndexBuildProgress p) { bar.show(p.done, p.total); });
+    std::optional<ProgressBar> bar;
+    bool measuring = true;
+    return build_index(build, Interruptible::token(), [&](IndexBuildProgress p) {
+        if (!bar || measuring != p.measuring) {
+            bar.reset();
+            bar.emplace(p.measuring ? "models compared" : "models");
+            measuring = p.measuring;
+        }
+        bar->show(p.done, p.total);
+    });
 }
 
 void run_build(const IndexOptions& options, CommandState& state) {
@@ -107,6 +115,7 @@ void run_build(const IndexOptions& options, CommandState& state) {
     build.paths = options.paths;
     build.database = options.database;
     build.jobs = options.jobs;
+    build.likeness = options.graph;
     if (!options.classes.empty()) {
         const std::string folder = options.files.empty() ? options.paths.front() : options.files;
         const core::Result<core::LabelledList> list = core::read_list_file(options.classes, folder);
@@ -168,7 +177,6 @@ void run_show(const IndexOptions& options, CommandState& state) {
                          {"asymmetry", v.asymmetry},
                          {"terminals", v.descriptor.terminal_count},
                          {"parts", v.descriptor.parts.size()},
-                         {"readings", 1 + v.further.size()},
                          {"thumbnail_bytes", v.thumbnail.size()}});
     }
     if (!options.picture.empty()) {
@@ -239,6 +247,8 @@ void add_index_commands(CLI::App& cli, CommandState& state) {
     build->add_option("--classes", options->classes, "path<TAB>class list, or a Princeton .cla file");
     build->add_option("--files", options->files, "folder of the files that a .cla numbers; default: the first PATH");
     build->add_option("--jobs", options->jobs, "threads")->check(CLI::PositiveNumber);
+    build->add_flag("--graph", options->graph,
+                    "also find each model's nearest others, for query --rerank; later builds keep them up to date");
     add("list", "All models", run_list);
     CLI::App* show = add("show", "One model", run_show);
     show->add_option("ID", options->id)->required();

@@ -59,8 +59,9 @@ std::unique_ptr<SketchSearcher> open_collection(const KioskCommandOptions& optio
             searcher.error().code == core::ErrorCode::FileMissing ? CollectionState::Missing : CollectionState::Damaged;
         return nullptr;
     }
-    for (const db::Damage& d : (*searcher)->collection().damaged())
-        std::fprintf(stderr, "croquis: %s\n", d.sentence().c_str());
+    for (const std::string& warning : (*searcher)->collection().warnings()) {
+        std::fprintf(stderr, "croquis: %s: %s\n", options.database.c_str(), warning.c_str());
+    }
     if ((*searcher)->collection().models().empty()) {
         kiosk.collection = CollectionState::Empty;
         return nullptr;

@@ -1,6 +1,7 @@
 // croquis query: ranks the collection for one drawing.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,7 @@ struct QueryOptions {
     int top = 10;
     int jobs = core::core_count();
     bool json = false;
+    bool rerank = false;
 };
 
 /// The nearest models with their correspondences.
@@ -32,11 +34,20 @@ struct Answer {
     double search_ms = 0.0;
 };
 
+std::vector<RankedModel> reranked_by(const Collection& collection, const core::ComparableShape& shape,
+                                     const QueryOptions& options) {
+    const core::QueryReranker reranker(core::neighbour_graph(*collection.likeness()), options.jobs);
+    std::vector<RankedModel> ranked = reranked(reranker, collection.rank(shape, RankBy::Fused, options.jobs));
+    ranked.resize(std::min(ranked.size(), static_cast<std::size_t>(options.top)));
+    return ranked;
+}
+
 Answer search(const SketchDescription& query, const Collection& collection, const QueryOptions& options) {
     const Stopwatch watch;
     const core::ComparableShape shape = core::comparable(query.shape.descriptor, query.contour);
     Answer answer;
-    answer.ranked = collection.nearest(shape, static_cast<std::size_t>(options.top), options.jobs);
+    answer.ranked = options.rerank ? reranked_by(collection, shape, options)
+                                   : collection.nearest(shape, static_cast<std::size_t>(options.top), options.jobs);
     core::Matcher matcher;
     for (const RankedModel& r : answer.ranked) {
         answer.matches.push_back(
@@ -86,9 +97,17 @@ core::Result<void> draw(const Answer& answer, const Collection& collection, cons
 void run_query(const QueryOptions& options, CommandState& state) {
     const core::Result<Collection> collection = Collection::load(options.database);
     if (!collection) return fail(state, collection.error());
-    for (const db::Damage& d : collection->damaged()) std::fprintf(stderr, "croquis: %s\n", d.sentence().c_str());
+    for (const std::string& warning : collection->warnings()) {
+        std::fprintf(stderr, "croquis: %s: %s\n", options.database.c_str(), warning.c_str());
+    }
     if (collection->models().empty()) {
         return fail(state, {core::ErrorCode::FileMissing, "the index has no models; add some with croquis index build",
+                            options.database});
+    }
+    if (options.rerank && !collection->likeness()) {
+        return fail(state, {core::ErrorCode::FileMissing,
+                            "the index does not know which models are near to which; call `croquis index build` with "
+                            "--graph on its models",
                             options.database});
     }
     const core::Result<SketchDescription> query = describe_file(options.sketch);
@@ -117,6 +136,8 @@ void add_query_command(CLI::App& cli, CommandState& state) {
     command->add_option("--db", options->database, "the index")->required();
     command->add_option("--top", options->top, "results to give")->check(CLI::PositiveNumber);
     command->add_option("--jobs", options->jobs, "threads")->check(CLI::PositiveNumber);
+    command->add_flag("--rerank", options->rerank,
+                      "rank along the likeness of the models among themselves too; the first stays the first");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->add_option("--picture", options->picture, "write a PNG with the results' matched parts");
     command->callback([options, &state] { run_query(*options, state); });

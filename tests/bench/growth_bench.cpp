@@ -149,7 +149,7 @@ void search(const std::string& database, const std::vector<core::ComparableShape
     for (const core::ComparableShape& query : queries) {
         const app::Stopwatch one;
         const double cpu_before = cpu_ms();
-        if (collection.rank(query, app::Reading::Fused, jobs).size() != row.models)
+        if (collection.rank(query, app::RankBy::Fused, jobs).size() != row.models)
             give_up({core::ErrorCode::Internal, "a model is missing", ""});
         times.push_back(one.ms());
         cpu_times.push_back(cpu_ms() - cpu_before);

@@ -28,7 +28,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto equal = [](const auto& a, const auto& b) { return a == b; };
     try_blob(blob, db::decode_polygon, db::encode_polygon, equal);
     try_blob(blob, db::decode_descriptor, db::encode_descriptor, equal);
-    try_blob(blob, db::decode_readings, db::encode_readings, equal);
     try_blob(blob, db::decode_contour, db::encode_contour, equal);
     try_blob(blob, db::decode_camera, db::encode_camera,
              [](const core::Camera& a, const core::Camera& b) { return a.direction == b.direction && a.up == b.up; });

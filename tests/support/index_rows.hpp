@@ -20,9 +20,9 @@ inline std::string index_rows(const std::string& path) {
           "|| ' ' || build_id || ' ' || checksum FROM model ORDER BY id",
           "SELECT model_id || ' ' || number || ' ' || camera_number || ' ' || skeletal_length || ' ' || asymmetry || ' "
           "' "
-          "|| checksum || ' ' || hex(camera) || ' ' || hex(outline) || ' ' || hex(descriptor) FROM view "
+          "|| checksum || ' ' || hex(camera) || ' ' || hex(outline) || ' ' || hex(descriptor) || ' ' || hex(contour) "
+          "FROM view "
           "ORDER BY model_id, number",
-          "SELECT model_id || ' ' || number || ' ' || hex(contour) FROM contour ORDER BY model_id, number",
           "SELECT model_id || ' ' || hex(mesh) FROM display_mesh ORDER BY model_id",
           "SELECT model_id || ' ' || number || ' ' || hex(png) FROM thumbnail ORDER BY model_id, number"}) {
         auto rows = database->prepare(sql);

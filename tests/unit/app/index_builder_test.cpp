@@ -317,7 +317,7 @@ TEST_CASE("soup, flipped and doubled faces and another unit give the same views"
         for (std::size_t v = 0; v < 2; ++v) {
             CHECK(model.views[v].camera_number == models->models[0].views[v].camera_number);
             CHECK(model.views[v].descriptor == models->models[0].views[v].descriptor);
-            CHECK(model.views[v].further == models->models[0].views[v].further);
+            CHECK(model.views[v].contour == models->models[0].views[v].contour);
         }
     }
 }

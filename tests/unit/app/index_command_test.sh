@@ -50,7 +50,7 @@ write_model b.off 3
 write_model c.off 4
 
 expect 0 "$croquis" index build "$folder/models" --db "$db" --json
-says out '^{"added":3,"skipped":0,"failed":\[\],"kept":\[\],"ms":[0-9.]*}$'
+says out '^{"added":3,"skipped":0,"failed":\[\],"kept":\[\],"measured":0,"ms":[0-9.]*}$'
 lines out 1
 lines err 0
 
@@ -91,6 +91,30 @@ expect 0 "$croquis" index vacuum --db "$db" --json
 says out '^{"bytes":[0-9]*}$'
 expect 0 "$croquis" index list --db "$db"
 lines out 2
+
+# Re-ranking needs the models' likeness among themselves, which a build is asked for once.
+echo '{"word":"table","drawing":[[[0,200,200,180,180,20,20,0,0],[0,0,20,20,120,120,20,20,0]]]}' >"$folder/table.ndjson"
+expect 1 "$croquis" query "$folder/table.ndjson" --db "$db" --rerank
+says err "a.db: the index does not know which models are near to which; call .croquis index build. with --graph"
+lines err 1
+lines out 0
+expect 0 "$croquis" index build "$folder/models" --db "$db" --graph --json
+says out '"added":1,"skipped":2,.*"measured":3,'
+write_model d.off 5
+expect 0 "$croquis" index build "$folder/models" --db "$db" --json
+says out '"added":1,"skipped":3,.*"measured":4,'
+expect 0 "$croquis" index check --db "$db"
+expect 0 "$croquis" query "$folder/table.ndjson" --db "$db" --json
+cp "$folder/out" "$folder/plain"
+expect 0 "$croquis" query "$folder/table.ndjson" --db "$db" --rerank --json
+says out '^{"results":\[{"rank":1,'
+lines out 1
+first() { sed 's/^{"results":\[\({[^}]*}\).*/\1/' "$folder/$1" | grep -o '"model":"[^"]*"' | head -1; }
+[ "$(first out)" = "$(first plain)" ] || fault "re-ranking changed the first: $(first plain) to $(first out)"
+expect 0 "$croquis" eval models --db "$db" --json
+says out '^{"models":4,"rows":{"parts":{"NN":'
+lines out 1
+rm "$folder/models/d.off"
 
 echo "Dear all," >"$folder/letter.db"
 for command in "build $folder/models" list "show 1" "remove 1" check vacuum; do

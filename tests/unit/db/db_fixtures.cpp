@@ -152,7 +152,6 @@ db::ModelRecord random_model(int n) {
         view.descriptor = random_descriptor(random, whole(random, 2, 12), whole(random, 0, 6));
         view.outline = random_outline(random, 100, 1.0);
         view.contour = support::random_contour(random);
-        for (int k = 0; k < n % 3; ++k) view.further.push_back(random_descriptor(random, whole(random, 2, 6), 1));
         view.skeletal_length = real(random, 0.0, 10.0);
         view.asymmetry = real(random, 0.0, 3.0);
         for (const int byte : {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, n, 7}) {
@@ -163,38 +162,11 @@ db::ModelRecord random_model(int n) {
     return model;
 }
 
-void store_as_schema_2(const fs::path& path) {
-    const db::Database database = value(db::open_collection(path, db::OpenMode::ReadWrite));
-    db::Statement views = value(database.prepare("SELECT model_id, number, descriptor FROM view"));
-    db::Statement first = value(
-        database.prepare("UPDATE view SET descriptor = ?, descriptor_checksum = ? WHERE model_id = ? AND number = ?"));
-    db::Statement other = value(database.prepare("INSERT INTO reading VALUES (?, ?, ?, ?, ?)"));
-    struct Row {
-        std::int64_t model, number;
-        std::vector<core::ShapeDescriptor> readings;
-    };
-    std::vector<Row> rows;
-    while (value(views.step())) {
-        rows.push_back({views.integer(0), views.integer(1), value(db::decode_readings(views.blob(2)))});
-    }
-    for (const Row& row : rows) {
-        for (std::size_t k = 0; k < row.readings.size(); ++k) {
-            const db::Blob blob = value(db::encode_descriptor(row.readings[k]));
-            if (k > 0) other.bind(row.model).bind(row.number).bind(k);
-            db::Statement& statement = k == 0 ? first : other;
-            statement.bind(db::BlobView(blob)).bind(core::fnv1a64(blob));
-            if (k == 0) statement.bind(row.model).bind(row.number);
-            ok(statement.run());
-        }
-    }
-}
-
 db::ModelRecord as_stored(const db::ModelRecord& written) {
     db::ModelRecord model = written;
     for (db::ModelView& view : model.views) {
         view.outline = value(db::decode_polygon(value(db::encode_polygon(view.outline))));
         view.descriptor = value(db::decode_descriptor(value(db::encode_descriptor(view.descriptor))));
-        for (core::ShapeDescriptor& d : view.further) d = value(db::decode_descriptor(value(db::encode_descriptor(d))));
     }
     model.display_mesh = value(db::decode_mesh(value(db::encode_mesh(model.display_mesh))));
     return model;
@@ -204,8 +176,7 @@ bool same_views(const db::ModelRecord& a, const db::ModelRecord& b) {
     const auto same_view = [](const db::ModelView& v, const db::ModelView& w) {
         return v.camera.direction == w.camera.direction && v.camera.up == w.camera.up &&
                v.camera_number == w.camera_number && v.outline == w.outline && v.descriptor == w.descriptor &&
-               v.further == w.further && v.contour == w.contour && v.skeletal_length == w.skeletal_length &&
-               v.asymmetry == w.asymmetry;
+               v.contour == w.contour && v.skeletal_length == w.skeletal_length && v.asymmetry == w.asymmetry;
     };
     return a.name == b.name && a.class_name == b.class_name && a.source_path == b.source_path &&
            a.content_hash == b.content_hash && a.file_size == b.file_size && same_view(a.views[0], b.views[0]) &&

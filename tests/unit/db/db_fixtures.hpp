@@ -47,9 +47,6 @@ using Random = std::mt19937_64;
 /// The model number `n` of a collection: the same n gives the same model.
 [[nodiscard]] db::ModelRecord random_model(int n);
 
-/// Rewrites an index as a program with schema 2 has left it: one reading in a view's row, the others in `reading`.
-void store_as_schema_2(const std::filesystem::path& path);
-
 /// Equal but for the rounding of points that the codecs promise: what comes back for `written`.
 [[nodiscard]] db::ModelRecord as_stored(const db::ModelRecord& written);
 [[nodiscard]] bool same_views(const db::ModelRecord& a, const db::ModelRecord& b);

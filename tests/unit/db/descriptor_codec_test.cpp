@@ -83,20 +83,6 @@ TEST_CASE("what the compact layout cannot hold is stored in full", "[descriptor]
     CHECK(layout_of(descriptor) == 1);
 }
 
-TEST_CASE("all readings of a view are one blob", "[descriptor]") {
-    Random random(21);
-    std::vector<ShapeDescriptor> written = described(random, 1);
-    written.push_back(fixture::random_descriptor(random, 4, 2));
-    const db::Blob blob = fixture::value(db::encode_readings(written));
-    const std::vector<ShapeDescriptor> read = fixture::value(db::decode_readings(blob));
-    REQUIRE(read.size() == written.size());
-    for (std::size_t i = 0; i < read.size(); ++i) CHECK(read[i] == round_trip(written[i]));
-    CHECK(fixture::value(db::decode_readings(fixture::value(db::encode_readings({})))).empty());
-    CHECK_FALSE(db::decode_descriptor(blob));
-    written[1].stop_points = {-1};
-    CHECK_FALSE(db::encode_readings(written));
-}
-
 TEST_CASE("a descriptor comes back exactly, its samples on their grid", "[descriptor]") {
     Random random(11);
     for (int i = 0; i < 300; ++i) {
@@ -186,9 +172,6 @@ TEST_CASE("a compact blob cut off or changed gives an error or a sound descripto
     REQUIRE(layout_of(small) == 2);
     fixture::try_every_cut_and_flip<ShapeDescriptor>(fixture::value(db::encode_descriptor(small)),
                                                      db::decode_descriptor, db::encode_descriptor, std::equal_to<>());
-    fixture::try_every_cut_and_flip<std::vector<ShapeDescriptor>>(fixture::value(db::encode_readings({small, small})),
-                                                                  db::decode_readings, db::encode_readings,
-                                                                  std::equal_to<>());
 }
 
 TEST_CASE("bytes at random are no descriptor", "[descriptor][hostile]") {

@@ -48,6 +48,25 @@ TEST_CASE("an older version is brought up to date for writing and refused for re
     fixture::value(db::open_collection(folder / "a.db", OpenMode::ReadOnly));
 }
 
+TEST_CASE("every step from the first keeps what is stored", "[migrations]") {
+    const TemporaryFolder folder;
+    {
+        const Database old = fixture::value(Database::open(folder / "a.db", OpenMode::Create, {}));
+        fixture::ok(old.execute(db::migrations()[0].sql));
+        fixture::ok(
+            old.execute("INSERT INTO build VALUES (1, 'p', 7, '0.1.0');"
+                        "INSERT INTO model VALUES (5, 'm.off', 'mare', 'horse', 1, 2, 1, 3);"
+                        "PRAGMA user_version = 1; PRAGMA application_id = " +
+                        std::to_string(db::kApplicationId)));
+    }
+    CHECK_FALSE(db::open_collection(folder / "a.db", OpenMode::ReadOnly));
+    const Database database = fixture::value(db::open_collection(folder / "a.db", OpenMode::ReadWrite));
+    CHECK(fixture::value(database.integer("PRAGMA user_version")) == db::newest_version());
+    CHECK(fixture::value(database.integer("SELECT count(*) FROM model WHERE id = 5 AND name = 'mare'")) == 1);
+    CHECK(fixture::value(database.integer("SELECT count(*) FROM neighbour")) == 0);
+    CHECK(fixture::value(database.integer("SELECT count(*) FROM sqlite_schema WHERE name = 'likeness'")) == 1);
+}
+
 TEST_CASE("programs that create the same collection at once make it once", "[migrations]") {
     for (int round = 0; round < 10; ++round) {
         const TemporaryFolder folder;

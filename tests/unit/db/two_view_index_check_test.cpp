@@ -54,13 +54,9 @@ TEST_CASE("damage is named by model and part, and a search goes on without the m
         Case{"UPDATE view SET descriptor = outline, descriptor_checksum = outline_checksum WHERE model_id = 3 AND "
              "number = 1",
              "model 3 (model 2), descriptor of view 1: it is damaged (it holds something else)"},
-        Case{"DELETE FROM thumbnail WHERE model_id = 3; DELETE FROM contour WHERE model_id = 3 AND number = 1; DELETE "
-             "FROM view WHERE "
-             "model_id = 3 AND number = 1",
+        Case{"DELETE FROM thumbnail WHERE model_id = 3; DELETE FROM view WHERE model_id = 3 AND number = 1",
              "model 3 (model 2), view 1: it is missing; build the model again"},
-        Case{"UPDATE contour SET contour = x'' WHERE model_id = 3 AND number = 1", of("contour of view 1")},
-        Case{"DELETE FROM contour WHERE model_id = 3 AND number = 0",
-             "model 3 (model 2), contour of view 0: it is missing; build the model again"},
+        Case{"UPDATE view SET contour = x'' WHERE model_id = 3 AND number = 1", of("contour of view 1")},
         Case{"UPDATE model SET class_name = 'cow' WHERE id = 3", of("record")},
         Case{"UPDATE thumbnail SET png = zeroblob(99) WHERE model_id = 3 AND number = 1", of("thumbnail of view 1"),
              true},
@@ -80,30 +76,10 @@ TEST_CASE("damage is named by model and part, and a search goes on without the m
     CHECK((index.load_display_mesh(3).has_value() && index.load_thumbnail(3, 1).has_value()) != c.for_the_eye_only);
 }
 
-TEST_CASE("damage in the readings of an older program's model is named", "[check]") {
-    struct Case {
-        std::string sql, part;
-    };
-    const Case c =
-        GENERATE(Case{"UPDATE reading SET descriptor = x'' WHERE model_id = 3 AND number = 1 AND reading = 2",
-                      "reading 2 of view 1"},
-                 Case{"DELETE FROM reading WHERE model_id = 3 AND number = 0 AND reading = 1", "reading 1 of view 0"});
-    const TemporaryFolder folder;
-    make_index(folder / "a.db");
-    fixture::store_as_schema_2(folder / "a.db");
-    alter(folder / "a.db", c.sql);
-    const TwoViewIndex index = fixture::value(TwoViewIndex::open(folder / "a.db", OpenMode::ReadOnly));
-    CHECK(sentences(fixture::value(index.check())) ==
-          std::vector<std::string>{"model 3 (model 2), " + c.part +
-                                   ": it is damaged (its checksum differs); build the model again"});
-    CHECK(fixture::value(index.damaged_models()) == std::vector<std::int64_t>{3});
-    CHECK(fixture::value(index.load_views()).models.size() == kModels - 1);
-}
-
 TEST_CASE("every changed byte of every blob is noticed", "[check]") {
     const TemporaryFolder folder;
     make_index(folder / "a.db");
-    const std::string column = GENERATE("camera", "outline", "descriptor");
+    const std::string column = GENERATE("camera", "outline", "descriptor", "contour");
     const db::Database database = fixture::value(db::open_collection(folder / "a.db", OpenMode::ReadWrite));
     const TwoViewIndex index = fixture::value(TwoViewIndex::open(folder / "a.db", OpenMode::ReadOnly));
     db::Statement read =

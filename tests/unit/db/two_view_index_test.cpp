@@ -54,24 +54,7 @@ TEST_CASE("models come back as they were stored, in the order of insertion", "[i
     }
 }
 
-TEST_CASE("models that an older program stored are read until they are described again", "[index]") {
-    const TemporaryFolder folder;
-    const std::vector<ModelRecord> models = random_models(0, 6);
-    { fixture::value(open(folder).add_all(models)); }
-    fixture::store_as_schema_2(folder / "models.db");
-    TwoViewIndex index = open(folder, OpenMode::ReadWrite);
-    CHECK(fixture::value(index.check()).empty());
-    const db::LoadedModels loaded = fixture::value(index.load_views());
-    REQUIRE(loaded.models.size() == models.size());
-    for (std::size_t i = 0; i < models.size(); ++i) {
-        CHECK(fixture::same_views(loaded.models[i], fixture::as_stored(models[i])));
-    }
-    CHECK(fixture::value(index.add(models[2])) == 3);
-    CHECK(fixture::same_views(fixture::value(index.load(3)), fixture::as_stored(models[2])));
-    CHECK(fixture::value(index.check()).empty());
-}
-
-TEST_CASE("an outline that is the first reading's samples is not stored twice", "[index]") {
+TEST_CASE("an outline that is the descriptor's samples is not stored twice", "[index]") {
     const TemporaryFolder folder;
     ModelRecord model = fixture::random_model(4);
     for (db::ModelView& view : model.views) view.outline = view.descriptor.samples;
@@ -177,7 +160,8 @@ TEST_CASE("a stale index says so, model by model", "[index]") {
     }
     TwoViewIndex index = open(folder, OpenMode::ReadWrite, {.parameters = "new", .program_version = "1.1"});
     CHECK(fixture::value(index.stale()).value() ==
-          "3 of 3 models were described with other settings; run `croquis index build` again");
+          "3 of 3 models were described with other settings or by another version; call `croquis index build` on "
+          "their files again");
     fixture::value(index.add(fixture::random_model(1)));
     CHECK(fixture::value(index.list())[0].stale);
     CHECK_FALSE(fixture::value(index.list())[1].stale);

@@ -1,0 +1,156 @@
+#include "core/fusion/parts_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace core {
+
+namespace {
+
+constexpr int kPlaces = 64;  // of outline_difference
+constexpr std::size_t kStep = 2 * kOutlineGrid / kPlaces;
+constexpr double kRounding = 1.0001;  // far above what sums of floats are rounded by
+
+/// A profile of one height everywhere.
+OutlineProfile flat(std::uint8_t height, float complexity) {
+    OutlineProfile profile;
+    for (auto& point : profile.heights) point.fill(height);
+    profile.complexity = complexity;
+    return profile;
+}
+
+template <std::size_t Points>
+void put(const OutlineProfile& from, std::size_t point, HeightPlanes<Points>& to, std::size_t at) {
+    const auto& heights = from.heights[point];
+    std::copy_n(heights.begin(), kHeightBins / 2, to.first[at].begin());
+    std::copy_n(heights.begin() + kHeightBins / 2, kHeightBins / 2, to.second[at].begin());
+}
+
+}  // namespace
+
+PartsBound::PartsBound(const MatchableShape& shape) : level_(flat(0, shape.forwards.outline.complexity)) {
+    for (std::size_t t = 0; t < 2 * kOutlineGrid; ++t) {
+        const std::size_t point = (2 * kOutlineGrid - t) % kOutlineGrid;
+        put(shape.forwards.outline, point, forwards_, t);
+        put(shape.backwards.outline, point, backwards_, t);
+    }
+}
+
+#if defined(__SSE2__)
+
+namespace {
+
+using Fixed = HeightPlanes<kOutlineGrid>;
+using Turning = HeightPlanes<2 * kOutlineGrid>;
+using Least = std::array<int, kOutlineGrid>;
+
+constexpr std::size_t kAtOnce = 3;  // sums i + j worked on at once, as rounding mixes three
+
+__attribute__((target("avx2"))) __m256i load_avx2(const std::uint8_t* from) {
+    return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
+}
+
+/// least(r), least(r + 1) and least(r + 2), four pairs of points at a time. A difference is below 2^12, so that 16 of
+/// the 64 bits that it comes in can be compared.
+__attribute__((target("avx2"))) void fill_least_avx2(const Fixed& b, const Turning& a, std::size_t r, Least& least) {
+    __m256i found[kAtOnce];
+#pragma GCC unroll 3
+    for (__m256i& f : found) f = _mm256_set1_epi64x(INT16_MAX);
+    for (std::size_t j = 0; j < kOutlineGrid; j += 4) {
+        const __m256i first = load_avx2(b.first[j].data()), second = load_avx2(b.second[j].data());
+#pragma GCC unroll 3
+        for (std::size_t k = 0; k < kAtOnce; ++k) {
+            const std::size_t t = j + (kOutlineGrid - (r + k) % kOutlineGrid);
+            const __m256i sum = _mm256_add_epi64(_mm256_sad_epu8(first, load_avx2(a.first[t].data())),
+                                                 _mm256_sad_epu8(second, load_avx2(a.second[t].data())));
+            found[k] = _mm256_min_epi16(found[k], sum);
+        }
+    }
+#pragma GCC unroll 3
+    for (std::size_t k = 0; k < kAtOnce; ++k) {
+        alignas(32) std::array<std::int64_t, 4> lanes{};
+        _mm256_store_si256(reinterpret_cast<__m256i*>(lanes.data()), found[k]);
+        least[(r + k) % kOutlineGrid] = static_cast<int>(*std::min_element(lanes.begin(), lanes.end()));
+    }
+}
+
+__m128i load_sse2(const std::uint8_t* from) {
+    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+}
+
+/// The same two pairs at a time.
+void fill_least_sse2(const Fixed& b, const Turning& a, std::size_t r, Least& least) {
+    __m128i found[kAtOnce];
+#pragma GCC unroll 3
+    for (__m128i& f : found) f = _mm_set1_epi64x(INT16_MAX);
+    for (std::size_t j = 0; j < kOutlineGrid; j += 2) {
+        const __m128i first = load_sse2(b.first[j].data()), second = load_sse2(b.second[j].data());
+#pragma GCC unroll 3
+        for (std::size_t k = 0; k < kAtOnce; ++k) {
+            const std::size_t t = j + (kOutlineGrid - (r + k) % kOutlineGrid);
+            const __m128i sum = _mm_add_epi64(_mm_sad_epu8(first, load_sse2(a.first[t].data())),
+                                              _mm_sad_epu8(second, load_sse2(a.second[t].data())));
+            found[k] = _mm_min_epi16(found[k], sum);
+        }
+    }
+#pragma GCC unroll 3
+    for (std::size_t k = 0; k < kAtOnce; ++k) {
+        alignas(16) std::array<std::int64_t, 2> lanes{};
+        _mm_store_si128(reinterpret_cast<__m128i*>(lanes.data()), found[k]);
+        least[(r + k) % kOutlineGrid] = static_cast<int>(std::min(lanes[0], lanes[1]));
+    }
+}
+
+/// sum(s) of the header.
+int sum_of(const Least& least, std::size_t s) {
+    int sum = 0;
+    for (std::size_t k = 0; k < kOutlineGrid / kStep; ++k) {
+        const std::size_t r = s + kStep * k + kOutlineGrid;
+        sum += std::min({least[(r - 1) % kOutlineGrid], least[r % kOutlineGrid], least[(r + 1) % kOutlineGrid]});
+    }
+    return 2 * sum;
+}
+
+/// Whether sum(0) … sum(7) all reach `needed`; given up at the first that is known not to.
+bool all_reach(const Fixed& b, const Turning& a, int needed) {
+    static const auto fill_least = __builtin_cpu_supports("avx2") != 0 ? fill_least_avx2 : fill_least_sse2;
+    Least least;
+    for (const std::size_t s : {1U, 4U, 7U}) {  // 8 of them in three groups of three, one of them twice
+        for (std::size_t k = 0; k < kOutlineGrid / kStep; ++k) fill_least(b, a, s - 1 + kStep * k, least);
+        if (sum_of(least, s) < needed) return false;
+    }
+    for (const std::size_t s : {0U, 2U, 3U, 5U, 6U}) {
+        if (sum_of(least, s) < needed) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool PartsBound::is_at_least(const MatchableShape& other, double distance) const {
+    const double outline = kRounding * distance / static_cast<double>(kOutlineWeight);
+    if (outline >= static_cast<double>(kUnaligned)) return false;  // what outlines without matched parts count as
+    const OutlineProfile& profile = other.forwards.outline;
+    // What differences of one in every bin at every place come to, these two shapes being as complex as they are.
+    const OutlineAnchor start;
+    const float ones = outline_difference(level_, flat(1, profile.complexity), {&start, 1});
+    const double needed = std::ceil(outline / static_cast<double>(ones) * kPlaces * kHeightBins);
+    Fixed fixed;
+    for (std::size_t j = 0; j < kOutlineGrid; ++j) put(profile, j, fixed, j);
+    return all_reach(fixed, forwards_, static_cast<int>(needed)) &&
+           all_reach(fixed, backwards_, static_cast<int>(needed));
+}
+
+#else
+
+bool PartsBound::is_at_least(const MatchableShape& /*other*/, double /*distance*/) const {
+    return false;
+}
+
+#endif
+
+}  // namespace core

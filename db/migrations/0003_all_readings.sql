@@ -1,4 +1,0 @@
--- From here on view.descriptor holds all readings of a view in one blob (db/codec/descriptor_codec.hpp), whose checksum
--- covers them all, and an outline without points stands for the samples of the first. Rows of `reading` are those of
--- models that an older program described; they are read until the model is described again.
--- The blobs tell what they hold, so no table changes; the number keeps programs away that know only the older ones.

@@ -1,0 +1,81 @@
+#include "firmware_like_app/commands/eval_lists.hpp"
+
+#include <cstdio>
+
+#include "firmware_like_app/collection/sketch_description.hpp"
+
+namespace app {
+
+core::Result<core::LabelledList> read_list(const EvalOptions& options) {
+    std::optional<std::string> files;
+    if (!options.files.empty()) files = options.files;
+    core::Result<core::LabelledList> list = core::read_list_file(options.list, files);
+    if (!list) return core::unexpected(list.error());
+    if (list->files.empty()) {
+        return core::unexpected(core::ErrorCode::FileMissing, "none of the files that it names is there; check --files",
+                                options.list);
+    }
+    for (const core::LabelledFile& missing : list->missing) {
+        if (list->missing.size() > 20) break;
+        std::fprintf(stderr, "croquis: %s: listed but not there\n", missing.path.c_str());
+    }
+    if (list->missing.size() > 20)
+        std::fprintf(stderr, "croquis: %zu listed files are not there\n", list->missing.size());
+    return list;
+}
+
+DescribedList describe_list(const std::vector<core::LabelledFile>& files, int jobs) {
+    std::vector<std::optional<core::ComparableShape>> shapes(files.size());
+    std::vector<std::string> why(files.size());
+    core::parallel_for(files.size(), jobs, [&](std::size_t i, int) {
+        const core::Result<SketchDescription> d = describe_file(files[i].path);
+        if (d) {
+            shapes[i] = core::comparable(d->shape.descriptor, d->contour);
+        } else {
+            why[i] = d.error().sentence();
+        }
+    });
+    DescribedList out;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (!shapes[i]) {
+            out.failures.push_back(why[i]);
+            continue;
+        }
+        out.classes.push_back(files[i].class_name);
+        out.shapes.push_back(std::move(*shapes[i]));
+    }
+    for (const std::string& failure : out.failures) std::fprintf(stderr, "croquis: %s\n", failure.c_str());
+    return out;
+}
+
+core::Result<Collection> load_for_eval(const std::string& database) {
+    core::Result<Collection> collection = Collection::load(database);
+    if (!collection) return collection;
+    for (const std::string& warning : collection->warnings()) {
+        std::fprintf(stderr, "croquis: %s: %s\n", database.c_str(), warning.c_str());
+    }
+    if (collection->models().empty()) {
+        return core::unexpected(core::ErrorCode::FileMissing,
+                                "the index has no models; add some with croquis index build", database);
+    }
+    return collection;
+}
+
+nlohmann::ordered_json to_json(const core::RetrievalMetrics& m) {
+    return {{"NN", m.nn},
+            {"FT", m.ft},
+            {"ST", m.st},
+            {"E", m.e},
+            {"DCG", m.dcg},
+            {"AP", m.ap},
+            {"first_5", m.first_5},
+            {"first_10", m.first_10},
+            {"precision_recall", m.precision}};
+}
+
+void print_metrics(const std::string& name, const core::RetrievalMetrics& m) {
+    std::printf("%-28s NN %.3f  FT %.3f  ST %.3f  E %.3f  DCG %.3f  AP %.3f  in first 5 %.3f, 10 %.3f\n", name.c_str(),
+                m.nn, m.ft, m.st, m.e, m.dcg, m.ap, m.first_5, m.first_10);
+}
+
+}  // namespace app

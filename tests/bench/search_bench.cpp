@@ -1,0 +1,75 @@
+// What a search takes, for many drawings one after the other:
+//
+//     search_bench INDEX LIST [JOBS [COUNT]]
+//
+// Every drawing of LIST (lines `path<TAB>class`) is described and its COUNT (10) nearest models of INDEX are looked for
+// on JOBS threads (2). Prints median, 95th and 99th percentile and the most, in processor time of all threads, which is
+// the same whoever else uses the machine, and in real time, which is not.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <vector>
+
+#include "core/exchange/list_file.hpp"
+#include "firmware_like_app/collection/collection.hpp"
+#include "firmware_like_app/collection/sketch_description.hpp"
+#include "firmware_like_app/collection/stopwatch.hpp"
+
+namespace {
+
+[[noreturn]] void give_up(const core::Error& error) {
+    std::fprintf(stderr, "search_bench: %s\n", error.sentence().c_str());
+    std::exit(1);
+}
+
+double cpu_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+void print(const char* what, std::vector<double> ms) {
+    std::sort(ms.begin(), ms.end());
+    const auto at = [&](double share) {
+        return ms[std::min(ms.size() - 1, static_cast<std::size_t>(share * static_cast<double>(ms.size())))];
+    };
+    std::printf("%-10s median %6.1f   p95 %6.1f   p99 %6.1f   most %6.1f ms\n", what, at(0.5), at(0.95), at(0.99),
+                ms.back());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 3) {
+        std::fprintf(stderr, "search_bench INDEX LIST [JOBS [COUNT]]\n");
+        return 2;
+    }
+    const int jobs = argc > 3 ? std::max(1, std::atoi(argv[3])) : 2;
+    const auto count = static_cast<std::size_t>(argc > 4 ? std::max(1, std::atoi(argv[4])) : 10);
+    const auto collection = app::Collection::load(argv[1]);
+    if (!collection) give_up(collection.error());
+    const auto list = core::read_list_file(argv[2], std::nullopt);
+    if (!list) give_up(list.error());
+    std::vector<double> cpu, real;
+    for (const core::LabelledFile& file : list->files) {
+        const auto drawing = app::describe_file(file.path);
+        if (!drawing) continue;
+        const core::ComparableShape query = core::comparable(drawing->shape.descriptor, drawing->contour);
+        const double before = cpu_ms();
+        const app::Stopwatch watch;
+        (void)collection->nearest(query, count, jobs);
+        real.push_back(watch.ms());
+        cpu.push_back(cpu_ms() - before);
+    }
+    if (cpu.empty()) {
+        std::fprintf(stderr, "search_bench: none of the drawings can be read\n");
+        return 1;
+    }
+    std::printf("%zu drawings, %zu models, the first %zu, %d threads\n", cpu.size(), collection->models().size(), count,
+                jobs);
+    print("processor", cpu);
+    print("real", real);
+    return 0;
+}
