@@ -120,6 +120,7 @@ class Loop {
             case Kind::Up:
             case Kind::Leave:
             case Kind::TakeBack:
+            case Kind::Zoom:
                 if (player_.ended()) pointer(event);
                 break;
         }
