@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "core/base/checksum.hpp"
@@ -37,19 +38,18 @@ std::vector<int> tags_of(const FoundModel& model) {
     return {colours.begin(), colours.end()};
 }
 
-/// "lamp_desk_2" reads "Lamp desk 2".
-std::string readable(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
-    return name;
-}
-
 ui::SizePx picture_size(const ui::FindLayout& layout, std::size_t card) {
     const ui::Rect& r = layout.card_pictures[card];
     return {std::max(1, static_cast<int>(r.width)), std::max(1, static_cast<int>(r.height))};
 }
 
 }  // namespace
+
+std::string readable_name(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    return name;
+}
 
 core::Result<CardPictures> CardPictures::create() {
     core::Result<ui::ModelPainter> painter = ui::ModelPainter::create();
@@ -65,8 +65,8 @@ void CardPictures::start(std::shared_ptr<const PreparedAnswer> answer, const ui:
     for (std::size_t i = 0; i < std::min({best.size(), ui::kCardCount, answer_->cards.size()}); ++i) {
         ui::CardFace face;
         face.model = best[i].id;
-        face.name = readable(best[i].name);
-        face.caption = readable(best[i].class_name);
+        face.name = readable_name(best[i].name);
+        face.caption = readable_name(best[i].class_name);
         if (face.caption == face.name) face.caption.clear();
         face.tags = tags_of(best[i]);
         if (answer_->cards[i] != nullptr) {

@@ -16,6 +16,9 @@
 
 namespace app {
 
+/// "lamp_desk_2" reads "Lamp desk 2".
+[[nodiscard]] std::string readable_name(std::string name);
+
 class CardPictures {
   public:
     [[nodiscard]] static core::Result<CardPictures> create();

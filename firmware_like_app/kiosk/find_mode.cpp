@@ -261,7 +261,9 @@ void FindMode::act(const ui::Intent& intent, std::int64_t now_us) {
             relayout(layout_.screen, options_.hand == ui::Hand::Right ? ui::Hand::Left : ui::Hand::Right);
             break;
         case ui::Control::Card:
-            opened_card_ = intent.item;
+            if (const std::optional<ui::CardFace> face = rail_.slots(now_us)[intent.item].now) {
+                opened_card_ = OpenedCard{face->model, layout_.card_pictures[intent.item]};
+            }
             break;
         default:
             break;  // of other screens

@@ -81,8 +81,14 @@ class FindMode final : public Mode {
     [[nodiscard]] ui::Hand hand() const override { return options_.hand; }
     void set_hand(ui::Hand hand) override;
     void set_board_key(std::string key) { options_.board_key = std::move(key); }
-    /// The place of the card that was tapped since the last call.
-    [[nodiscard]] std::optional<std::size_t> take_opened_card() { return std::exchange(opened_card_, std::nullopt); }
+    /// A card that was tapped.
+    struct OpenedCard {
+        std::int64_t model = 0;
+        ui::Rect picture;  ///< on the screen
+    };
+    /// The one tapped since the last call.
+    [[nodiscard]] std::optional<OpenedCard> take_opened_card() { return std::exchange(opened_card_, std::nullopt); }
+    [[nodiscard]] std::shared_ptr<const PreparedAnswer> shared_answer() const { return answer_; }
     /// Searches finished so far.
     [[nodiscard]] std::uint64_t searches() const { return worker_ ? worker_->searches() : 0; }
     /// The last thing a searcher threw.
@@ -145,7 +151,7 @@ class FindMode final : public Mode {
     std::optional<std::int64_t> drawing_start_us_;
     std::int64_t pen_up_us_ = 0, pen_down_us_ = 0;
     bool cleared_ = false;
-    std::optional<std::size_t> opened_card_;
+    std::optional<OpenedCard> opened_card_;
     std::int64_t cleared_us_ = 0;
 
     ui::CardRail rail_;

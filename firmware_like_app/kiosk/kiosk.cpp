@@ -122,6 +122,7 @@ class Loop {
             case Kind::Up:
             case Kind::Leave:
             case Kind::TakeBack:
+            case Kind::Zoom:
                 if (player_.ended()) pointer(event);
                 break;
         }

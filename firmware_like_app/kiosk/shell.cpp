@@ -25,13 +25,15 @@ core::Result<std::unique_ptr<Shell>> Shell::create(const ui::FontSet& fonts, con
     if (!drawings) return core::unexpected(drawings.error());
     core::Result<std::unique_ptr<AttractPlayer>> attract = AttractPlayer::create(std::move(*drawings), searcher);
     if (!attract) return core::unexpected(attract.error());
-    return std::unique_ptr<Shell>(
-        new Shell(fonts, languages, find, options, screen, std::move(*painter), std::move(*attract), now_us));
+    core::Result<DetailView> detail = DetailView::create(fonts, languages);
+    if (!detail) return core::unexpected(detail.error());
+    return std::unique_ptr<Shell>(new Shell(fonts, languages, find, options, screen, std::move(*painter),
+                                            std::move(*attract), std::move(*detail), now_us));
 }
 
 Shell::Shell(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages, FindMode& find,
              const ShellOptions& options, ui::SizePx screen, ui::Painter painter,
-             std::unique_ptr<AttractPlayer> attract, std::int64_t now_us)
+             std::unique_ptr<AttractPlayer> attract, DetailView detail, std::int64_t now_us)
     : languages_(languages),
       find_(find),
       options_(options),
@@ -39,9 +41,11 @@ Shell::Shell(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages
       station_(options.times, options.collection, now_us),
       painter_(std::move(painter)),
       attract_(std::move(attract)),
+      detail_(std::move(detail)),
       attract_screen_(fonts, languages),
       notice_screen_(fonts, languages),
       still_screen_(fonts, languages) {
+    detail_.allow_drafts(options.every_frame_seen);
     go_on(now_us);
     entered(now_us);
 }
@@ -51,6 +55,7 @@ void Shell::resize(ui::SizePx screen, std::int64_t now_us) {
     screen_ = screen;
     find_.resize(screen);
     touch_.cancel();
+    if (detail_.is_open()) detail_.resize(screen, find_.hand(), painter_);
     if (scene_ == Scene::Attract) entered(now_us);
 }
 
@@ -76,6 +81,19 @@ void Shell::entered(std::int64_t now_us) {
         attract_->stop(painter_);
     }
     if (scene_ != Scene::Work) find_.cancel_pointer(now_us);
+    if (station_.behind() != Scene::Detail) detail_.close(painter_);
+    detail_.cancel_pointer();
+}
+
+void Shell::open_detail(const FindMode::OpenedCard& card, std::int64_t now_us) {
+    const std::shared_ptr<const PreparedAnswer> answer = find_.shared_answer();
+    if (!answer) return;
+    const std::vector<FoundModel>& best = answer->answer.best;
+    const auto model = std::find_if(best.begin(), best.end(), [&](const FoundModel& m) { return m.id == card.model; });
+    if (model == best.end()) return;  // a newer answer has come meanwhile, and its cards are about to
+    detail_.open(answer, static_cast<std::size_t>(model - best.begin()), find_.sketch().drawing(), card.picture,
+                 screen_, find_.hand(), now_us, painter_);
+    station_.open_detail(now_us);
 }
 
 void Shell::note_board() {
@@ -136,8 +154,12 @@ void Shell::pointer(const ui::WindowEvent& event) {
         swallow_ = !ends;
         return;
     }
+    if (event.kind == Kind::Zoom && station_.scene() != Scene::Detail) return;
     if (mode_has_input()) {
         find_.pointer(event);
+        if (const auto card = find_.take_opened_card()) open_detail(*card, event.time_us);
+    } else if (station_.scene() == Scene::Detail) {
+        if (const auto control = detail_.pointer(event, painter_)) act({*control, 0}, event.time_us);
     } else if (event.kind == Kind::Down) {
         press(event);
     } else if (event.kind == Kind::Move) {
@@ -162,6 +184,7 @@ void Shell::press(const ui::WindowEvent& event) {
         station_.keep_drawing(event.time_us);
         go_on(event.time_us);
         if (mode_has_input()) find_.pointer(event);
+        if (station_.scene() == Scene::Detail) (void)detail_.pointer(event, painter_);
     }
 }
 
@@ -232,10 +255,12 @@ void Shell::update(std::int64_t now_us) {
     station_.tick(now_us);
     go_on(now_us);
     find_.update(now_us);
+    if (scene_ == Scene::Detail) detail_.update(now_us);
     if (scene_ == Scene::Attract) attract_->update(now_us, !options_.every_frame_seen, painter_);
 }
 
 int Shell::update_ink() {
+    if (scene_ == Scene::Detail) detail_.draw_model(painter_);
     return scene_ == Scene::Attract ? attract_->update_ink() : find_.update_ink();
 }
 
@@ -289,6 +314,7 @@ Shell::Shown Shell::shown_at(std::int64_t now_us) const {
     Shown shown{scene_, screen_, find_.hand(), std::monostate{}};
     if (scene_ == Scene::Attract) shown.state = attract_state(now_us);
     if (scene_ == Scene::Notice) shown.state = notice_state();
+    if (scene_ == Scene::Detail) shown.state = detail_.state(find_.language(), now_us);
     if (scene_ == Scene::StillThere) shown.state = still_there_state(now_us);
     return shown;
 }
@@ -309,8 +335,15 @@ void Shell::draw(std::int64_t now_us, bool flip) {
                            flip);
             break;
         case Scene::StillThere:
-            find_.draw(now_us, flip);
+            if (station_.behind() == Scene::Detail) {
+                painter_.paint(detail_.draw(detail_.state(find_.language(), now_us)), screen_, flip);
+            } else {
+                find_.draw(now_us, flip);
+            }
             painter_.paint(still_screen_.draw(std::get<ui::StillThereState>(shown_->state), screen_), screen_, flip);
+            break;
+        case Scene::Detail:
+            painter_.paint(detail_.draw(std::get<ui::DetailState>(shown_->state)), screen_, flip);
             break;
         default:
             find_.draw(now_us, flip);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "firmware_like_app/kiosk/attract_player.hpp"
+#include "firmware_like_app/kiosk/detail_view.hpp"
 #include "firmware_like_app/kiosk/find_mode.hpp"
 #include "firmware_like_app/kiosk/station.hpp"
 #include "ui/screens/attract_screen.hpp"
@@ -59,15 +60,17 @@ class Shell {
     void open_sheet(std::int64_t now_us);
 
     [[nodiscard]] const Station& station() const { return station_; }
+    [[nodiscard]] DetailView& detail() { return detail_; }
 
   private:
     Shell(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages, FindMode& find,
           const ShellOptions& options, ui::SizePx screen, ui::Painter painter, std::unique_ptr<AttractPlayer> attract,
-          std::int64_t now_us);
+          DetailView detail, std::int64_t now_us);
 
     void go_on(std::int64_t now_us);
     void entered(std::int64_t now_us);
     void note_board();
+    void open_detail(const FindMode::OpenedCard& card, std::int64_t now_us);
     void press(const ui::WindowEvent& event);
     void release(const ui::WindowEvent& event);
     void act(const ui::Intent& intent, std::int64_t now_us);
@@ -81,7 +84,8 @@ class Shell {
     [[nodiscard]] ui::StillThereState still_there_state(std::int64_t now_us) const;
 
     /// What the last frame of a scene showed, but for the modes, which know for themselves.
-    using SceneState = std::variant<std::monostate, ui::AttractState, ui::NoticeState, ui::StillThereState>;
+    using SceneState =
+        std::variant<std::monostate, ui::AttractState, ui::NoticeState, ui::StillThereState, ui::DetailState>;
     struct Shown {
         Scene scene;
         ui::SizePx screen;
@@ -98,6 +102,7 @@ class Shell {
     Station station_;
     ui::Painter painter_;
     std::unique_ptr<AttractPlayer> attract_;
+    DetailView detail_;
     ui::AttractScreen attract_screen_;
     ui::NoticeScreen notice_screen_;
     ui::StillThereScreen still_screen_;

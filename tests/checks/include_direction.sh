@@ -66,6 +66,7 @@ FNR == 1 {
     home(header, "^stb/stb_image[.]h", "core/exchange")
     home(header, "^(SDL|EGL/|GLES|hb|ft2build|cairo)", "ui")
     home(header, "^CLI/", "firmware_like_app")
+    home(header, "^toml[+][+]/", "firmware_like_app/config")
     home(header, "^(hidapi/|libinput[.]h|libudev[.]h|libwacom/)", "input/sources")
     if (header ~ /^pugixml/ && module != "tests" && FILENAME !~ /^core\/exchange\//)
         fault("<" header "> belongs in core/exchange")

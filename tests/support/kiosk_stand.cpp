@@ -33,9 +33,8 @@ KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOp
 void KioskStand::wait(double seconds) {
     const std::int64_t end = now_us + static_cast<std::int64_t>(seconds * 1e6);
     while (now_us < end) {
-        now_us = std::min(now_us + (seconds > 10 ? 100'000 : 1'000'000 / 60), end);
+        now_us = std::min(now_us + (seconds > 5 ? 100'000 : 1'000'000 / 60), end);
         shell->update(now_us);
-        shell->update_ink();
     }
 }
 

@@ -16,7 +16,7 @@ class KioskStand {
     /// A small collection of built animals. Throws std::runtime_error with the sentence of what is missing.
     explicit KioskStand(ui::SizePx size, app::ShellOptions options = {}, app::FindOptions find_options = {});
 
-    /// Frames of 1/60 s until that time is over; of 1/10 s where it is longer than ten seconds.
+    /// Frames of 1/60 s until that time is over; of 1/10 s where it is longer than five seconds.
     void wait(double seconds);
     void event(ui::WindowEvent::Kind kind, double x, double y);
     void tap(double x, double y);

@@ -49,6 +49,22 @@ std::vector<NamedScene> all_scenes() {
              return o;
          }(),
          to_drawing},
+        {"detail",
+         {},
+         [](KioskStand& k) {
+             to_drawing(k);
+             k.tap(k.find->layout().cards[0]);
+             k.wait(6);
+         }},
+        {"detail-turned-left", left,
+         [](KioskStand& k) {
+             to_drawing(k);
+             k.tap(k.find->layout().cards[2]);
+             k.wait(1);
+             const ui::Rect s = k.shell->detail().layout().sheet;
+             k.stroke(s.centre_x(), s.centre_y(), s.centre_x() + s.width * 0.2, s.centre_y() + s.height * 0.06);
+             k.wait(0.1);
+         }},
         {"still-there",
          {},
          [](KioskStand& k) {

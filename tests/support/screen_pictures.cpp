@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
                 folder / (scene.name + "-" + std::to_string(size.width) + "x" + std::to_string(size.height) + ".png");
             if (!core::write_png(file, kiosk.picture())) return 1;
             std::printf("%s\n", file.string().c_str());
+            std::fflush(stdout);
         }
     }
     return 0;

@@ -123,6 +123,8 @@ std::vector<Polyline> make(Icon icon) {
             return {Path({5, 17}).to(12.5, 24).to(27, 8)};
         case Icon::Minus:
             return {Path({8, 16}).to(24, 16)};
+        case Icon::Turn:
+            return {Path({12, 8}).to(5, 16).to(12, 24), Path({20, 8}).to(27, 16).to(20, 24)};
         case Icon::Plus:
             return {Path({8, 16}).to(24, 16), Path({16, 8}).to(16, 24)};
     }
@@ -140,7 +142,7 @@ double distance_to_segment(Point p, Point a, Point b) {
 
 const std::vector<Polyline>& icon_strokes(Icon icon) {
     static const auto all = [] {
-        std::array<std::vector<Polyline>, static_cast<std::size_t>(Icon::Plus) + 1> strokes;
+        std::array<std::vector<Polyline>, static_cast<std::size_t>(Icon::Turn) + 1> strokes;
         for (std::size_t i = 0; i < strokes.size(); ++i) strokes[i] = make(static_cast<Icon>(i));
         return strokes;
     }();

@@ -8,7 +8,7 @@
 
 namespace ui {
 
-enum class Icon { Pen, Eraser, Undo, Redo, New, Hand, Collection, Warning, Tablet, Back, Check, Minus, Plus };
+enum class Icon { Pen, Eraser, Undo, Redo, New, Hand, Collection, Warning, Tablet, Back, Check, Minus, Plus, Turn };
 
 /// Polylines on the 32 grid, y down; curves come as short chords.
 [[nodiscard]] const std::vector<core::Polyline>& icon_strokes(Icon icon);

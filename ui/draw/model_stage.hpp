@@ -30,7 +30,11 @@ struct StageView {
     bool mirrored = false;          ///< shown flipped left-right
     core::Vec3 ground_up{0, 1, 0};  ///< normal of the ground its contacts lie on
     bool own_colours = false;       ///< the geometry's colours instead of clay
-    friend bool operator==(const StageView&, const StageView&) = default;
+    friend bool operator==(const StageView& a, const StageView& b) {
+        return a.camera.direction == b.camera.direction && a.camera.up == b.camera.up && a.scale_px == b.scale_px &&
+               a.centre_px == b.centre_px && a.mirrored == b.mirrored && a.ground_up == b.ground_up &&
+               a.own_colours == b.own_colours;
+    }
 
     /// Where a point of the normalised frame appears.
     [[nodiscard]] core::Point to_px(core::Vec3 p) const;

@@ -66,9 +66,14 @@ void blur_lines(std::vector<float>& cells, int lines, int line_step, int count, 
 
 }  // namespace
 
-core::RgbaImage bake_part_map(const std::vector<PartRegion>& parts, int size, double blend) {
+core::GrayImage part_labels(const std::vector<PartRegion>& parts, int size) {
     core::GrayImage labels = label_parts(parts, size);
     for (int i = 0; i < size / 40 + 2; ++i) grow(labels);
+    return labels;
+}
+
+core::RgbaImage bake_part_map(const std::vector<PartRegion>& parts, int size, double blend) {
+    const core::GrayImage labels = part_labels(parts, size);
     const int radius = std::max(1, static_cast<int>(std::lround(blend * size / 2)));
     const std::size_t pixels = labels.pixels.size();
     std::vector<float> red(pixels), green(pixels), blue(pixels), coloured(pixels), all(pixels);

@@ -14,6 +14,11 @@ struct PartRegion {
     core::Polygon ring;
 };
 
+/// Which part is seen where: size x size pixels, top row first, the part's colour, palette::kPartCount for a part that
+/// stays clay, 255 where there is none. Of overlapping rings the later one; each reaches a little beyond its ring.
+/// Time: size squared.
+[[nodiscard]] core::GrayImage part_labels(const std::vector<PartRegion>& parts, int size);
+
 /// size x size pixels, top row first: the part's colour premultiplied by its weight. Neighbouring colours blend over
 /// `blend` (in plane units, 1.2 % of the model's height by the design); every part reaches a little beyond its ring,
 /// so that no clay shows along the edge of the silhouette. Time: size squared times (parts + 9).

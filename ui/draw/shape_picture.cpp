@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/geometry/polygon.hpp"
+#include "ui/draw/tag_place.hpp"
 
 namespace ui {
 
@@ -218,28 +219,6 @@ void draw_depth(const Panel& panel, const core::DescribedShape& shape) {
     for (std::size_t i = 0; i < s.graph.nodes.size(); ++i) {
         panel.tag(s.graph.nodes[i].centroid, std::max(0, shape.tree.depth[i]), colour_of(s.graph.nodes[i].kind));
     }
-}
-
-/// Where a part's number stands: on the mean of its points, or beside it where that lies outside, as between two legs:
-/// then in the middle of the part's widest span at that height.
-Point tag_place(const Polygon& ring) {
-    const Point mean = core::centroid_of_points(ring);
-    std::vector<double> crossings;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point p = ring[i], q = ring[(i + 1) % ring.size()];
-        if ((p.y > mean.y) == (q.y > mean.y)) continue;
-        crossings.push_back(p.x + (q.x - p.x) * (mean.y - p.y) / (q.y - p.y));
-    }
-    std::sort(crossings.begin(), crossings.end());
-    Point place = mean;
-    double widest = 0.0;
-    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-        if (crossings[i] <= mean.x && mean.x <= crossings[i + 1]) return mean;
-        if (crossings[i + 1] - crossings[i] <= widest) continue;
-        widest = crossings[i + 1] - crossings[i];
-        place.x = (crossings[i] + crossings[i + 1]) / 2.0;
-    }
-    return place;
 }
 
 void draw_terminals(const Panel& panel, const core::ShapeDescriptor& d) {

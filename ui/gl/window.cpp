@@ -2,12 +2,15 @@
 
 #include <SDL.h>
 
+#include <cmath>
 #include <optional>
 
 namespace ui {
 namespace {
 
 constexpr SDL_FingerID kMouse = -1;
+constexpr double kWheelStep = 0.2;   // doublings a notch
+constexpr double kSpreadStep = 4.0;  // doublings when two fingers move apart by the screen's width
 
 class SdlWindow final : public Window {
   public:
@@ -126,6 +129,25 @@ class SdlWindow final : public Window {
                     mouse(events, Kind::Move, event.motion.x, event.motion.y, event.motion.timestamp);
                 }
                 break;
+            case SDL_MOUSEWHEEL: {
+                WindowEvent zoom;
+                zoom.kind = Kind::Zoom;
+                zoom.zoom =
+                    kWheelStep * (event.wheel.direction == SDL_MOUSEWHEEL_FLIPPED ? -event.wheel.y : event.wheel.y);
+                zoom.time_us = event_time_us(event.wheel.timestamp);
+                events.push_back(zoom);
+                break;
+            }
+            case SDL_MULTIGESTURE: {
+                if (std::abs(event.mgesture.dDist) < 1e-4F) break;
+                WindowEvent zoom;
+                zoom.kind = Kind::Zoom;
+                zoom.zoom = kSpreadStep * static_cast<double>(event.mgesture.dDist);
+                zoom.time_us = event_time_us(event.mgesture.timestamp);
+                zoom.finger = true;
+                events.push_back(zoom);
+                break;
+            }
             case SDL_FINGERDOWN:
                 finger(events, Kind::Down, event.tfinger);
                 break;

@@ -25,7 +25,8 @@ struct WindowEvent {
         Close,
         Escape,
         Leave,
-        TakeBack
+        TakeBack,
+        Zoom  ///< a wheel, or two fingers that move apart
     };
     Kind kind = Kind::Move;
     double x = 0.0;
@@ -33,6 +34,7 @@ struct WindowEvent {
     double pressure = 1.0;     ///< 0 … 1; 1 for the mouse and for fingers that report none
     std::int64_t time_us = 0;  ///< when it happened, on the clock of Window::now_us()
     bool finger = false;
+    double zoom = 0.0;    ///< of Zoom: doublings of the size
     bool pen = false;     ///< of a tablet; a Move without a Down before it is one that hovers
     bool eraser = false;  ///< the pen's other end
 };

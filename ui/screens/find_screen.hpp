@@ -39,6 +39,9 @@ enum class Control {
     StartDrawing,
     KeepDrawing,
     StartOver,
+    Tag,  ///< item: the part's colour; acts while it is held
+    Smaller,
+    Larger,
 };
 
 /// Everything that Find shows, as values.

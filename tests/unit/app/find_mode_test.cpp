@@ -219,7 +219,9 @@ TEST_CASE("a tap on a card opens it, and only where there is one", "[find mode]"
     kiosk.find->search_and_wait();
     kiosk.find->settle(false);
     kiosk.tap(kiosk.layout().cards[2]);
-    CHECK(kiosk.find->take_opened_card() == std::optional<std::size_t>(2));
+    const auto opened = kiosk.find->take_opened_card();
+    REQUIRE(opened);
+    CHECK(opened->model == kiosk.find->answer()->answer.best[2].id);
     CHECK_FALSE(kiosk.find->take_opened_card());
     CHECK(kiosk.strokes() == 2);
 }

@@ -122,23 +122,35 @@ TEST_CASE("the wash multiplies the part's colour at 42 per cent, under the ink",
     CHECK(p.b == Approx(0xF8 * (1 - 0.42 + 0.42 * 0xF1 / 255.0)).margin(1.5));
 }
 
-TEST_CASE("a notice says what is missing and offers the sheet", "[find]") {
+TEST_CASE("a notice says what is missing and offers a way on, on every screen in every language", "[find]") {
     const Screen s;
-    const ui::FindLayout layout = ui::find_layout({1280, 800}, ui::Hand::Right);
-    for (const ui::Notice notice :
-         {ui::Notice::NoModels, ui::Notice::CollectionMissing, ui::Notice::CollectionDamaged}) {
-        for (std::size_t language = 0; language < s.languages.size(); ++language) {
-            const ui::DrawList list = s.notice.draw({notice, language}, layout);
-            CHECK(has(texts(list), s.languages[language]["start_drawing"]));
-            for (const ui::DrawCommand& command : list.commands) {
-                if (const auto* t = std::get_if<ui::TextCommand>(&command)) {
-                    CHECK(t->x >= 0);
-                    CHECK(t->x + s.fonts.width_px(t->text, t->style) <= 1280);
+    for (const ui::SizePx size :
+         {ui::SizePx{1280, 800}, ui::SizePx{1920, 1080}, ui::SizePx{1080, 1920}, ui::SizePx{3840, 2160}}) {
+        const ui::FindLayout layout = ui::find_layout(size, ui::Hand::Right);
+        for (int notice = 1; notice <= static_cast<int>(ui::Notice::NoTablet); ++notice) {
+            for (std::size_t language = 0; language < s.languages.size(); ++language) {
+                ui::NoticeState state;
+                state.notice = static_cast<ui::Notice>(notice);
+                state.language = language;
+                state.done = 412;
+                state.total = 1258;
+                state.minutes_left = 6;
+                const ui::DrawList list = s.notice.draw(state, layout);
+                const bool touch = state.notice == ui::Notice::NoTablet;
+                CHECK(has(texts(list), s.languages[language][touch ? "draw_by_touch" : "start_drawing"]));
+                for (const ui::DrawCommand& command : list.commands) {
+                    if (const auto* t = std::get_if<ui::TextCommand>(&command)) {
+                        CHECK(t->x >= 0);
+                        CHECK(t->x + s.fonts.width_px(t->text, t->style) <= size.width);
+                        CHECK(t->text.find('{') == std::string::npos);
+                        CHECK(t->text.find('_') == std::string::npos);  // no key without words
+                    }
                 }
+                const auto targets = s.notice.targets(state, layout);
+                CHECK(targets.back().control == ui::Control::StartDrawing);
+                CHECK(targets.back().rect.height >= 64);
+                CHECK(targets.back().rect.width <= size.width);
             }
         }
     }
-    const auto targets = s.notice.targets({ui::Notice::CollectionMissing}, layout);
-    CHECK(targets.back().control == ui::Control::StartDrawing);
-    CHECK(targets.back().rect.height >= 64);
 }

@@ -1,0 +1,440 @@
+#include "firmware_like_app/kiosk/detail_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "firmware_like_app/kiosk/card_pictures.hpp"
+#include "firmware_like_app/kiosk/placing.hpp"
+#include "ui/draw/coverage.hpp"
+#include "ui/draw/tag_place.hpp"
+
+namespace app {
+namespace {
+
+constexpr ui::PictureId kModel{100}, kInk{101};
+constexpr int kFirstWash = 110, kFirstSimilar = 130;
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kGreeting = 24 * kDegree, kRaised = 12 * kDegree;
+constexpr double kIdleTurn = 8 * kDegree;  // a second
+constexpr double kLeastElevation = -10 * kDegree, kMostElevation = 75 * kDegree;
+constexpr double kLeastZoom = 0.6, kMostZoom = 4, kZoomStep = 1.3;
+constexpr std::int64_t kSlowFrame_us = 26'000;
+constexpr double kDraft = 0.5;
+constexpr double kDrawingMargin = 0.11;
+
+ui::PictureId wash_id(std::size_t i) {
+    return ui::PictureId{kFirstWash + static_cast<int>(i)};
+}
+ui::PictureId similar_id(std::size_t i) {
+    return ui::PictureId{kFirstSimilar + static_cast<int>(i)};
+}
+
+ui::SizePx whole(const ui::Rect& rect) {
+    return {std::max(1, static_cast<int>(rect.width)), std::max(1, static_cast<int>(rect.height))};
+}
+
+/// Fast off, slow on: the cubic of the design, (.2, 0, 0, 1), as close as needs be.
+double eased(double t) {
+    t = std::clamp(t, 0.0, 1.0);
+    const double s = 1 - t;
+    return 1 - s * s * s;
+}
+
+std::vector<ui::PartRegion> regions_of(const FoundModel& model) {
+    std::vector<ui::PartRegion> regions;
+    for (const FoundPart& part : model.parts) regions.push_back({part.colour, part.on_view});
+    return regions;
+}
+
+bool cross(const ui::DetailTag& a, const ui::DetailTag& b) {
+    const auto side = [](core::Point p, core::Point q, core::Point r) { return core::cross(q - p, r - p) > 0; };
+    return side(a.anchor, a.place, b.anchor) != side(a.anchor, a.place, b.place) &&
+           side(b.anchor, b.place, a.anchor) != side(b.anchor, b.place, a.place);
+}
+
+/// Two numbers whose lines cross change places; each change makes the lines shorter together, so it ends.
+void uncross(std::vector<ui::DetailTag>& tags) {
+    bool changed = true;
+    for (int pass = 0; changed && pass < 20; ++pass) {
+        changed = false;
+        for (std::size_t i = 0; i < tags.size(); ++i) {
+            for (std::size_t k = i + 1; k < tags.size(); ++k) {
+                if (!cross(tags[i], tags[k])) continue;
+                std::swap(tags[i].place, tags[k].place);
+                changed = true;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+core::Result<DetailView> DetailView::create(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages) {
+    core::Result<ui::ModelStage> stage = ui::ModelStage::create();
+    if (!stage) return core::unexpected(stage.error());
+    core::Result<ui::ModelPainter> cards = ui::ModelPainter::create();
+    if (!cards) return core::unexpected(cards.error());
+    core::Result<ui::InkLayer> ink = ui::InkLayer::create({1, 1});
+    if (!ink) return core::unexpected(ink.error());
+    return DetailView(fonts, languages, std::move(*stage), std::move(*cards), std::move(*ink));
+}
+
+DetailView::DetailView(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages, ui::ModelStage stage,
+                       ui::ModelPainter cards, ui::InkLayer ink)
+    : screen_(fonts, languages), stage_(std::move(stage)), card_painter_(std::move(cards)), ink_(std::move(ink)) {}
+
+void DetailView::open(std::shared_ptr<const PreparedAnswer> answer, std::size_t index, core::Drawing drawing,
+                      const ui::Rect& from, ui::SizePx screen, ui::Hand hand, std::int64_t now_us,
+                      ui::Painter& painter) {
+    answer_ = std::move(answer);
+    cards_ = answer_->cards.empty() ? preparer_.prepare(answer_->answer) : answer_->cards;
+    drawing_ = std::move(drawing);
+    from_ = from;
+    layout_ = ui::detail_layout(screen, hand);
+    show(std::min(index, answer_->answer.best.size() - 1), now_us, painter);
+}
+
+void DetailView::show(std::size_t index, std::int64_t now_us, ui::Painter& painter) {
+    index_ = index;
+    opened_us_ = touched_us_ = last_us_ = now_us;
+    azimuth_ = 0;
+    elevation_ = 0;
+    zoom_ = 1;
+    touched_ = turning_ = false;
+    focus_.reset();
+    touch_.cancel();
+    lifted_ = {};
+    const FoundModel& model = found();
+    if (model.mesh && !model.mesh->empty()) {
+        lifted_ = ui::lift_parts(ui::make_model_geometry(*model.mesh), model.camera, regions_of(model));
+        stage_.set_model(lifted_.geometry, ui::find_ground_contacts(lifted_.geometry, model.camera.up));
+    } else {
+        stage_.clear_model();
+    }
+    similar_.clear();
+    for (std::size_t i = 0; i < answer_->answer.best.size() && similar_.size() < ui::kSimilarCount; ++i) {
+        if (i != index_ && i < cards_.size()) similar_.push_back(i);
+    }
+    lay_out(painter);
+}
+
+void DetailView::resize(ui::SizePx screen, ui::Hand hand, ui::Painter& painter) {
+    layout_ = ui::detail_layout(screen, hand);
+    lay_out(painter);
+}
+
+/// What depends on the size of the screen.
+void DetailView::lay_out(ui::Painter& painter) {
+    core::Point low{1e9, 1e9}, high{-1e9, -1e9};
+    for (std::size_t i = 0; i + 8 < lifted_.geometry.corners.size(); i += 9) {
+        const float* f = lifted_.geometry.corners.data() + i;
+        const core::Point p = found().camera.project({f[0], f[1], f[2]});
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    if (high.x < low.x) low = high = {};
+    ground_ = low.y;
+    plane_middle_ = (low.x + high.x) / 2;
+    wide_ = std::max(high.x - low.x, 0.05);
+    tall_ = std::max(high.y - low.y, 0.05);
+    // room to turn: no more than the whole sphere in the sheet's width
+    fit_scale_ =
+        std::min({layout_.model.width / wide_, layout_.model.height * 0.94 / tall_, layout_.sheet.width * 0.47});
+    view_.reset();
+    drawn_view_.reset();
+    make_drawing(painter);
+    make_similar(painter);
+}
+
+void DetailView::make_drawing(ui::Painter& painter) {
+    const ui::SizePx box = whole(layout_.drawing);
+    frame_ = fit_drawing(drawing_, box.width, box.height, kDrawingMargin);
+    ink_.resize(box);
+    ink_.update({drawing_.strokes, false, 1, frame_, std::max(2.0, layout_.scale.scale * 4.5)});
+    painter.set_picture(kInk, &ink_.texture());
+    for (std::size_t i = 0; i < wash_.size(); ++i) painter.set_picture(wash_id(i), nullptr);
+    wash_.clear();
+    drawing_tags_.clear();
+    for (int colour = 0; colour < ui::palette::kPartCount; ++colour) {
+        for (const FoundPart& part : found().parts) {
+            if (part.colour != colour || part.on_drawing.empty()) continue;
+            core::Polygon ring;
+            for (const core::Point& p : part.on_drawing) ring.push_back(frame_.to_px(p));
+            if (drawing_tags_.empty() || drawing_tags_.back().colour != colour) {
+                const core::Point place = ui::tag_place(ring);
+                drawing_tags_.push_back({colour, place, place, false});
+            }
+            const ui::CoverageImage fill = ui::fill_polygon(ring, box.width, box.height);
+            if (fill.coverage.pixels.empty()) continue;
+            ui::Texture texture({fill.coverage.width, fill.coverage.height}, ui::PixelFormat::Coverage);
+            texture.upload(0, 0, texture.size(), fill.coverage.pixels);
+            wash_.push_back({std::move(texture),
+                             {static_cast<double>(fill.x), static_cast<double>(fill.y),
+                              static_cast<double>(fill.coverage.width), static_cast<double>(fill.coverage.height)},
+                             colour});
+        }
+    }
+    for (std::size_t i = 0; i < wash_.size(); ++i) painter.set_picture(wash_id(i), &wash_[i].coverage);
+}
+
+void DetailView::make_similar(ui::Painter& painter) {
+    for (std::size_t i = 0; i < ui::kSimilarCount; ++i) painter.set_picture(similar_id(i), nullptr);
+    similar_pictures_.clear();
+    similar_pictures_.reserve(similar_.size());
+    for (std::size_t i = 0; i < similar_.size(); ++i) {
+        const auto& card = cards_[similar_[i]];
+        ui::ModelPictureOptions options;
+        const ui::Rect& r = layout_.similar[i];
+        options.size = whole({0, 0, r.width - layout_.scale.px(12), r.height - layout_.scale.px(46)});
+        similar_pictures_.push_back(card ? card_painter_.paint(*card, options)
+                                         : ui::Texture({1, 1}, ui::PixelFormat::Colour));
+        if (card) painter.set_picture(similar_id(i), &similar_pictures_.back());
+    }
+}
+
+void DetailView::close(ui::Painter& painter) {
+    painter.set_picture(kModel, nullptr);
+    painter.set_picture(kInk, nullptr);
+    for (std::size_t i = 0; i < wash_.size(); ++i) painter.set_picture(wash_id(i), nullptr);
+    for (std::size_t i = 0; i < ui::kSimilarCount; ++i) painter.set_picture(similar_id(i), nullptr);
+    wash_.clear();
+    similar_pictures_.clear();
+    similar_.clear();
+    stage_.clear_model();
+    ink_.resize({1, 1});
+    lifted_ = {};
+    drawing_ = {};
+    cards_.clear();
+    answer_.reset();
+    view_.reset();
+    drawn_view_.reset();
+    touch_.cancel();
+}
+
+void DetailView::set_focus(std::optional<int> focus) {
+    if (focus == focus_) return;
+    focus_ = focus;
+    ui::recolour(lifted_, focus_);
+    if (!lifted_.geometry.corners.empty()) {
+        stage_.set_model(lifted_.geometry, ui::find_ground_contacts(lifted_.geometry, found().camera.up));
+    }
+    view_.reset();
+    drawn_view_.reset();
+}
+
+void DetailView::zoom_by(double factor) {
+    zoom_ = std::clamp(zoom_ * factor, kLeastZoom, kMostZoom);
+}
+
+std::optional<ui::Control> DetailView::pointer(const ui::WindowEvent& event, ui::Painter& painter) {
+    using Kind = ui::WindowEvent::Kind;
+    if (!is_open()) return std::nullopt;
+    if (event.kind != Kind::Move || turning_) touched_us_ = event.time_us;
+    switch (event.kind) {
+        case Kind::Zoom:
+            touched_ = true;
+            zoom_by(std::exp2(event.zoom));
+            break;
+        case Kind::Down: {
+            const ui::DetailState now = state(0, event.time_us);
+            (void)touch_.press(screen_.targets(now, layout_), event.x, event.y);
+            if (touch_.pressed() == ui::Control::Tag) set_focus(static_cast<int>(touch_.pressed_item()));
+            if (touch_.active() || !layout_.sheet.contains(event.x, event.y)) break;
+            turning_ = touched_ = true;
+            grip_ = {event.x, event.y};
+            break;
+        }
+        case Kind::Move:
+            touch_.move(event.x, event.y);
+            if (turning_) {
+                const double radian_px = layout_.ring_radius;
+                azimuth_ += (found().mirrored ? 1 : -1) * (event.x - grip_.x) / radian_px;
+                elevation_ = std::clamp(elevation_ + (event.y - grip_.y) / radian_px, kLeastElevation, kMostElevation);
+                grip_ = {event.x, event.y};
+            }
+            break;
+        case Kind::Up: {
+            touch_.move(event.x, event.y);
+            turning_ = false;
+            set_focus(std::nullopt);
+            const std::optional<ui::Intent> intent = touch_.release();
+            if (!intent) break;
+            if (intent->control == ui::Control::KeepDrawing) return intent->control;
+            act(*intent, event.time_us, painter);
+            break;
+        }
+        default:
+            cancel_pointer();
+            break;
+    }
+    return std::nullopt;
+}
+
+void DetailView::act(const ui::Intent& intent, std::int64_t now_us, ui::Painter& painter) {
+    if (intent.control == ui::Control::Card && intent.item < similar_.size()) {
+        from_ = layout_.similar[intent.item];
+        show(similar_[intent.item], now_us, painter);
+    }
+    if (intent.control == ui::Control::Larger) zoom_by(kZoomStep);
+    if (intent.control == ui::Control::Smaller) zoom_by(1 / kZoomStep);
+}
+
+void DetailView::cancel_pointer() {
+    touch_.cancel();
+    turning_ = false;
+    if (is_open()) set_focus(std::nullopt);
+}
+
+double DetailView::opened(std::int64_t now_us) const {
+    return eased(static_cast<double>(now_us - opened_us_) / static_cast<double>(kOpen_us));
+}
+
+void DetailView::settle(std::int64_t now_us) {
+    opened_us_ = std::min(opened_us_, now_us - kOpen_us);
+}
+
+void DetailView::update(std::int64_t now_us) {
+    if (!is_open()) return;
+    const double passed_s = static_cast<double>(std::clamp<std::int64_t>(now_us - last_us_, 0, 100'000)) / 1e6;
+    if (drew_last_) slow_frames_ = std::clamp(slow_frames_ + (now_us - last_us_ > kSlowFrame_us ? 1 : -1), 0, 12);
+    last_us_ = now_us;
+    if (!touched_) {
+        // the greeting: once to the side and back, while the view rises to where the ground is seen
+        const std::int64_t age_us = now_us - opened_us_ - kOpen_us;
+        const double t = std::clamp(static_cast<double>(age_us) / static_cast<double>(kGreeting_us), 0.0, 1.0);
+        azimuth_ = kGreeting * (1 - std::cos(2 * std::numbers::pi * t)) / 2;
+        elevation_ = kRaised * opened(now_us);
+        if (age_us < kGreeting_us) touched_us_ = now_us;
+    }
+    if (!turning_ && now_us - touched_us_ >= kIdle_us) {
+        touched_ = true;
+        azimuth_ += kIdleTurn * passed_s;
+    }
+    azimuth_ = std::remainder(azimuth_, 2 * std::numbers::pi);
+    const ui::StageView now = view();
+    if (view_ && *view_ == now && !draft_) return;
+    view_ = now;
+    ++view_number_;
+}
+
+void DetailView::draw_model(ui::Painter& painter) {
+    if (!is_open() || !view_) return;
+    const bool moved = !drawn_view_ || !(*drawn_view_ == *view_);
+    drew_last_ = moved;
+    if (!moved && !draft_) return;
+    draft_ = moved && drafts_allowed_ && slow_frames_ >= 4;
+    drawn_view_ = view_;
+    ui::StageView drawn = *view_;
+    ui::Rect stage = layout_.stage;
+    if (draft_) {
+        drawn.scale_px *= kDraft;
+        drawn.centre_px = drawn.centre_px * kDraft;
+        stage = {0, 0, stage.width * kDraft, stage.height * kDraft};
+    }
+    stage_.draw(drawn, whole(stage));
+    painter.set_picture(kModel, &stage_.texture());
+}
+
+ui::StageView DetailView::view() const {
+    ui::StageView v;
+    const FoundModel& model = found();
+    v.camera = ui::orbited(model.camera, azimuth_, elevation_);
+    v.mirrored = model.mirrored;
+    v.ground_up = model.camera.up;
+    v.own_colours = true;
+    v.scale_px = fit_scale_ * zoom_;
+    // the ground under the middle of the model stays in the middle of the ring
+    const core::Vec3 foot = model.camera.up * ground_ + model.camera.right() * plane_middle_;
+    const core::Point at = v.camera.project(foot);
+    v.centre_px = {layout_.ring.x - layout_.stage.x - (v.mirrored ? -at.x : at.x) * v.scale_px,
+                   layout_.ring.y - layout_.stage.y + at.y * v.scale_px};
+    return v;
+}
+
+std::vector<ui::DetailTag> DetailView::model_tags() const {
+    std::vector<ui::DetailTag> tags;
+    if (lifted_.anchors.empty()) return tags;
+    const ui::StageView v = view();
+    const double half_width = wide_ * fit_scale_ / 2, half_height = tall_ * fit_scale_ / 2;
+    const core::Point centre{layout_.ring.x, layout_.ring.y - half_height};
+    const double rx = std::min(half_width + layout_.scale.px(72), layout_.sheet.width / 2 - layout_.scale.px(40));
+    const double ry = half_height + layout_.scale.px(60);
+    std::vector<double> angles;
+    for (const ui::LiftedAnchor& anchor : lifted_.anchors) {
+        ui::DetailTag tag;
+        tag.colour = anchor.colour;
+        const core::Point p = v.to_px(anchor.place);
+        tag.anchor = {p.x + layout_.stage.x, p.y + layout_.stage.y};
+        tag.hidden = core::dot(anchor.normal, v.camera.direction) < 0.05;
+        angles.push_back(std::atan2((tag.anchor.y - centre.y) / ry, (tag.anchor.x - centre.x) / rx));
+        tags.push_back(tag);
+    }
+    // round the model in the order of their anchors, so that no two lines cross, and far enough apart
+    std::vector<std::size_t> order(tags.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return angles[a] < angles[b]; });
+    const double apart = std::min(0.30, 2 * std::numbers::pi / static_cast<double>(tags.size()) * 0.9);
+    for (int pass = 0; pass < 40; ++pass) {
+        for (std::size_t k = 0; k < order.size() && order.size() > 1; ++k) {
+            double& a = angles[order[k]];
+            double& b = angles[order[(k + 1) % order.size()]];
+            const double gap = b - a + (k + 1 == order.size() ? 2 * std::numbers::pi : 0);
+            if (gap >= apart) continue;
+            a -= (apart - gap) / 2;
+            b += (apart - gap) / 2;
+        }
+    }
+    for (std::size_t i = 0; i < tags.size(); ++i) {
+        tags[i].place = {centre.x + rx * std::cos(angles[i]), centre.y + ry * std::sin(angles[i])};
+    }
+    uncross(tags);
+    return tags;
+}
+
+ui::DetailState DetailView::state(std::size_t language, std::int64_t now_us) const {
+    ui::DetailState s;
+    s.language = language;
+    s.name = readable_name(found().name);
+    s.caption = readable_name(found().class_name);
+    if (s.caption == s.name) s.caption.clear();
+    s.opened = opened(now_us);
+    s.model = kModel;
+    const auto mix = [&](double a, double b) { return std::round(a + (b - a) * s.opened); };
+    const ui::Rect& stage = layout_.stage;
+    // the model in the stage's picture grows from the size it has on the card
+    const double small = from_.width / std::max(layout_.model.width, 1.0);
+    const ui::Rect start{from_.centre_x() - (layout_.model.centre_x() - stage.x) * small,
+                         from_.centre_y() - (layout_.model.centre_y() - stage.y) * small, stage.width * small,
+                         stage.height * small};
+    s.model_rect = {mix(start.x, stage.x), mix(start.y, stage.y), mix(start.width, stage.width),
+                    mix(start.height, stage.height)};
+    s.ink = kInk;
+    s.inked = ink_.inked();
+    const ui::Rect& box = layout_.drawing;
+    for (std::size_t i = 0; i < wash_.size(); ++i) {
+        const ui::Rect& r = wash_[i].in_box;
+        s.wash.push_back({wash_id(i), {r.x + box.x, r.y + box.y, r.width, r.height}, wash_[i].colour, 1});
+    }
+    s.drawing_tags = drawing_tags_;
+    for (ui::DetailTag& tag : s.drawing_tags) {
+        tag.place = tag.place + core::Point{box.x, box.y};
+        tag.anchor = tag.place;
+    }
+    s.model_tags = model_tags();
+    for (std::size_t i = 0; i < similar_.size(); ++i) {
+        const FoundModel& model = answer_->answer.best[similar_[i]];
+        s.similar.push_back({readable_name(model.name), cards_[similar_[i]] ? similar_id(i) : ui::PictureId{}});
+    }
+    s.azimuth = found().mirrored ? -azimuth_ : azimuth_;
+    s.elevation = elevation_;
+    s.view = view_number_;
+    s.touched = touched_;
+    s.focus = focus_;
+    s.pressed = touch_.pressed();
+    s.pressed_item = touch_.pressed_item();
+    return s;
+}
+
+}  // namespace app

@@ -1,0 +1,105 @@
+#pragma once
+// One result, opened: the model that can be turned, its parts and the drawing's, six other close models.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "firmware_like_app/kiosk/search_worker.hpp"
+#include "ui/draw/ink_layer.hpp"
+#include "ui/draw/lifted_parts.hpp"
+#include "ui/draw/model_painter.hpp"
+#include "ui/draw/model_stage.hpp"
+#include "ui/draw/painter.hpp"
+#include "ui/gl/window.hpp"
+#include "ui/screens/detail_screen.hpp"
+
+namespace app {
+
+class DetailView {
+  public:
+    /// `drafts`: where frames come slowly, draw the moving model with fewer pixels.
+    void allow_drafts(bool drafts) { drafts_allowed_ = drafts; }
+    static constexpr std::int64_t kOpen_us = 320'000, kGreeting_us = 4'000'000, kIdle_us = 15'000'000;
+
+    [[nodiscard]] static core::Result<DetailView> create(const ui::FontSet& fonts,
+                                                         const std::vector<ui::Strings>& languages);
+
+    /// Shows the `index`-th of the answer. `from`: the card's picture on the screen, out of which the model grows.
+    void open(std::shared_ptr<const PreparedAnswer> answer, std::size_t index, core::Drawing drawing,
+              const ui::Rect& from, ui::SizePx screen, ui::Hand hand, std::int64_t now_us, ui::Painter& painter);
+    /// Gives back what the view needs.
+    void close(ui::Painter& painter);
+    [[nodiscard]] bool is_open() const { return answer_ != nullptr; }
+    void resize(ui::SizePx screen, ui::Hand hand, ui::Painter& painter);
+
+    /// Turning, zooming and the numbers. Gives what was tapped: KeepDrawing, or nothing.
+    std::optional<ui::Control> pointer(const ui::WindowEvent& event, ui::Painter& painter);
+    void cancel_pointer();
+    /// Once a frame: turns.
+    void update(std::int64_t now_us);
+    /// Before a frame that is seen: the model's picture, where its view changed.
+    void draw_model(ui::Painter& painter);
+    /// Ends the opening at once.
+    void settle(std::int64_t now_us);
+    [[nodiscard]] ui::DetailState state(std::size_t language, std::int64_t now_us) const;
+    [[nodiscard]] ui::DrawList draw(const ui::DetailState& state) const { return screen_.draw(state, layout_); }
+    [[nodiscard]] const ui::DetailLayout& layout() const { return layout_; }
+    /// Which of the answer is shown.
+    [[nodiscard]] std::size_t index() const { return index_; }
+
+  private:
+    DetailView(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages, ui::ModelStage stage,
+               ui::ModelPainter cards, ui::InkLayer ink);
+    struct Wash {
+        ui::Texture coverage;
+        ui::Rect in_box;
+        int colour;
+    };
+    void show(std::size_t index, std::int64_t now_us, ui::Painter& painter);
+    void lay_out(ui::Painter& painter);
+    void make_drawing(ui::Painter& painter);
+    void make_similar(ui::Painter& painter);
+    void act(const ui::Intent& intent, std::int64_t now_us, ui::Painter& painter);
+    void set_focus(std::optional<int> focus);
+    void zoom_by(double factor);
+    [[nodiscard]] double opened(std::int64_t now_us) const;
+    [[nodiscard]] ui::StageView view() const;
+    [[nodiscard]] std::vector<ui::DetailTag> model_tags() const;
+    [[nodiscard]] const FoundModel& found() const { return answer_->answer.best[index_]; }
+
+    ui::DetailScreen screen_;
+    ui::ModelStage stage_;
+    ui::ModelPainter card_painter_;
+    ui::InkLayer ink_;
+    ui::DetailLayout layout_;
+
+    std::shared_ptr<const PreparedAnswer> answer_;
+    CardPreparer preparer_;
+    CardPreparer::Cards cards_;
+    std::size_t index_ = 0;
+    core::Drawing drawing_;
+    ui::InkFrame frame_;
+    std::vector<Wash> wash_;
+    std::vector<ui::DetailTag> drawing_tags_;  // from the box's corner
+    std::vector<std::size_t> similar_;         // places in the answer
+    std::vector<ui::Texture> similar_pictures_;
+    ui::LiftedModel lifted_;
+    double ground_ = -1, fit_scale_ = 1, plane_middle_ = 0;  // of the model in its first view
+    double wide_ = 1, tall_ = 1;                             // units
+
+    ui::Rect from_;
+    std::int64_t opened_us_ = 0, touched_us_ = 0, last_us_ = 0;
+    double azimuth_ = 0, elevation_ = 0, zoom_ = 1;
+    bool touched_ = false, turning_ = false, drafts_allowed_ = false;
+    core::Point grip_;
+    ui::BoardTouch touch_;
+    std::optional<int> focus_;
+    std::optional<ui::StageView> view_, drawn_view_;  // as it is, and as it was drawn last
+    std::uint64_t view_number_ = 0;
+    // where drawing is slow, moving pictures are drafts and the last one is not
+    int slow_frames_ = 0;
+    bool drew_last_ = false, draft_ = false;
+};
+
+}  // namespace app

@@ -1,0 +1,167 @@
+#include "firmware_like_app/kiosk/detail_view.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/kiosk_stand.hpp"
+
+using app::Scene;
+using Kind = ui::WindowEvent::Kind;
+
+namespace {
+
+constexpr ui::SizePx kSize{1280, 800};
+
+/// A stand with the card at a place on the rail opened.
+std::unique_ptr<test::KioskStand> opened(std::size_t card) {
+    auto kiosk = std::make_unique<test::KioskStand>(kSize);
+    kiosk->shell->open_sheet(kiosk->now_us);
+    kiosk->draw_horse();
+    kiosk->tap(kiosk->find->layout().cards[card]);
+    REQUIRE(kiosk->scene() == Scene::Detail);
+    return kiosk;
+}
+
+ui::DetailState state(test::KioskStand& kiosk) {
+    return kiosk.shell->detail().state(0, kiosk.now_us);
+}
+
+}  // namespace
+
+TEST_CASE("a card opens its model, and keep drawing gives the drawing back as it was", "[detail]") {
+    test::KioskStand kiosk(kSize);
+    kiosk.shell->open_sheet(kiosk.now_us);
+    kiosk.draw_horse();
+    const auto before = kiosk.picture().pixels;
+    const std::uint64_t revision = kiosk.find->sketch().revision();
+    kiosk.tap(kiosk.find->layout().cards[3]);
+    REQUIRE(kiosk.scene() == Scene::Detail);
+    CHECK(kiosk.shell->detail().index() == 3);
+    kiosk.wait(0.5);
+    const bool another = kiosk.picture().pixels != before;
+    CHECK(another);
+    kiosk.tap(kiosk.shell->detail().layout().back);
+    CHECK(kiosk.scene() == Scene::Work);
+    CHECK_FALSE(kiosk.shell->detail().is_open());
+    CHECK(kiosk.find->sketch().revision() == revision);
+    const bool same = kiosk.picture().pixels == before;
+    CHECK(same);
+}
+
+TEST_CASE("numbers stand on drawing and model alike, and six others are shown", "[detail]") {
+    const auto kiosk = opened(0);
+    kiosk->wait(0.5);
+    const ui::DetailState s = state(*kiosk);
+    REQUIRE_FALSE(s.drawing_tags.empty());
+    REQUIRE(s.model_tags.size() == s.drawing_tags.size());
+    for (std::size_t i = 0; i < s.model_tags.size(); ++i) CHECK(s.model_tags[i].colour == s.drawing_tags[i].colour);
+    CHECK(s.similar.size() == 6);
+    for (const ui::SimilarCard& card : s.similar) CHECK(card.name != s.name);
+}
+
+TEST_CASE("the greeting turns once by 24 degrees and back, and ends with a touch", "[detail]") {
+    const auto kiosk = opened(0);
+    double most = 0;
+    for (int i = 0; i < 45; ++i) {
+        kiosk->wait(0.1);
+        most = std::max(most, std::abs(state(*kiosk).azimuth));
+    }
+    CHECK(most == Approx(24 * 3.14159 / 180).epsilon(0.01));
+    CHECK(state(*kiosk).azimuth == Approx(0).margin(1e-6));
+    const std::uint64_t view = state(*kiosk).view;
+    kiosk->wait(2);
+    CHECK(state(*kiosk).view == view);  // a still picture is not drawn again
+
+    const auto touched = opened(1);
+    touched->wait(1);
+    const ui::Rect sheet = touched->shell->detail().layout().sheet;
+    touched->stroke(sheet.centre_x(), sheet.centre_y(), sheet.centre_x() + 100, sheet.centre_y());
+    const double azimuth = state(*touched).azimuth;
+    touched->wait(2);
+    CHECK(state(*touched).azimuth == azimuth);
+}
+
+TEST_CASE("dragging turns, the wheel and the buttons zoom within bounds, idleness turns slowly", "[detail]") {
+    const auto kiosk = opened(0);
+    kiosk->wait(1);
+    const ui::DetailLayout layout = kiosk->shell->detail().layout();
+    kiosk->stroke(layout.sheet.centre_x(), layout.sheet.centre_y(), layout.sheet.centre_x() + 120,
+                  layout.sheet.centre_y() + 40);
+    const ui::DetailState turned = state(*kiosk);
+    CHECK(turned.azimuth < -0.3);  // the knob follows the hand to the right
+    CHECK(turned.elevation > 0.25);
+    const auto at_rest = [&] {
+        kiosk->wait(0.05);
+        return kiosk->picture().pixels;
+    };
+    const auto first = at_rest();
+    kiosk->tap(layout.larger);
+    const auto larger = at_rest();
+    CHECK((larger != first));
+    kiosk->tap(layout.smaller);
+    const bool same = at_rest() == first;
+    CHECK(same);
+    kiosk->shell->pointer({Kind::Zoom, 0, 0, 1, kiosk->now_us, false, -50.0});
+    const auto least = at_rest();
+    kiosk->shell->pointer({Kind::Zoom, 0, 0, 1, kiosk->now_us, false, -1.0});
+    const bool bounded = at_rest() == least;
+    CHECK(bounded);
+    const double azimuth = state(*kiosk).azimuth;
+    kiosk->wait(14);
+    CHECK(state(*kiosk).azimuth == azimuth);
+    kiosk->wait(4);
+    CHECK(state(*kiosk).azimuth != azimuth);
+}
+
+TEST_CASE("holding a number dims the others until it is let go", "[detail]") {
+    const auto kiosk = opened(0);
+    kiosk->wait(5);
+    const ui::DetailTag tag = state(*kiosk).drawing_tags.at(1);
+    kiosk->event(Kind::Down, tag.place.x, tag.place.y);
+    CHECK(state(*kiosk).focus == std::optional<int>(tag.colour));
+    kiosk->event(Kind::Up, tag.place.x, tag.place.y);
+    CHECK_FALSE(state(*kiosk).focus);
+    CHECK(kiosk->scene() == Scene::Detail);
+}
+
+TEST_CASE("another close model opens in place of the first", "[detail]") {
+    const auto kiosk = opened(2);
+    kiosk->wait(0.5);
+    const std::string name = state(*kiosk).similar[0].name;
+    kiosk->tap(kiosk->shell->detail().layout().similar[0]);
+    CHECK(kiosk->scene() == Scene::Detail);
+    CHECK(state(*kiosk).name == name);
+    CHECK(state(*kiosk).similar.size() == 6);
+}
+
+TEST_CASE("no two lines of numbers cross, however the model is turned", "[detail]") {
+    const auto kiosk = opened(0);
+    const auto side = [](core::Point p, core::Point q, core::Point r) { return core::cross(q - p, r - p) > 0; };
+    const ui::Rect sheet = kiosk->shell->detail().layout().sheet;
+    for (int step = 0; step < 12; ++step) {
+        kiosk->stroke(sheet.centre_x(), sheet.centre_y(), sheet.centre_x() + 130,
+                      sheet.centre_y() + (step % 2 ? 10 : -10));
+        const std::vector<ui::DetailTag> tags = state(*kiosk).model_tags;
+        for (std::size_t i = 0; i < tags.size(); ++i) {
+            for (std::size_t k = i + 1; k < tags.size(); ++k) {
+                const auto &a = tags[i], &b = tags[k];
+                const bool cross = side(a.anchor, a.place, b.anchor) != side(a.anchor, a.place, b.place) &&
+                                   side(b.anchor, b.place, a.anchor) != side(b.anchor, b.place, a.place);
+                CHECK_FALSE(cross);
+            }
+        }
+    }
+}
+
+TEST_CASE("detail is asked about like a drawing, and comes back after keep drawing", "[detail]") {
+    const auto kiosk = opened(0);
+    kiosk->wait(67);
+    REQUIRE(kiosk->scene() == Scene::StillThere);
+    (void)kiosk->picture();
+    kiosk->tap(560, 580);
+    CHECK(kiosk->scene() == Scene::Detail);
+    CHECK(kiosk->shell->detail().is_open());
+    kiosk->wait(82);
+    CHECK(kiosk->scene() == Scene::Attract);
+    CHECK_FALSE(kiosk->shell->detail().is_open());
+    CHECK(kiosk->find->sketch().empty());
+}
