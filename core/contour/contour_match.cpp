@@ -22,13 +22,6 @@ constexpr double kCoverWeight = 2.67;
 using Shorts = std::int16_t __attribute__((vector_size(32)));
 using Bytes = std::uint8_t __attribute__((vector_size(32)));
 using Half = std::uint8_t __attribute__((vector_size(16)));
-/// They in an array, wherever it lies.
-struct __attribute__((packed, may_alias)) LooseShorts {
-    Shorts v;
-};
-struct __attribute__((packed, may_alias)) LooseBytes {
-    Bytes v;
-};
 constexpr std::size_t kShorts = 16, kBytes = 32;
 constexpr std::size_t kBlocks = kFramePoints / kShorts;              // of turns, in the dynamic program
 constexpr std::size_t kRowBlocks = MatchableContour::kRow / kBytes;  // of points
@@ -48,6 +41,15 @@ using Channels = MatchableContour::Channels;
 using TurnBounds = ContourMatcher::TurnBounds;
 using Differences = ContourMatcher::Differences;
 
+/// They in an array, wherever it lies.
+template <class V>
+void load(V& v, const void* from) {
+    std::memcpy(&v, from, sizeof v);
+}
+template <class V>
+void store(void* to, const V& v) {
+    std::memcpy(to, &v, sizeof v);
+}
 // By reference: a vector that is handed over by value would be so in another way where there is AVX2.
 template <class V>
 void keep_least(V& a, const V& b) {
@@ -81,9 +83,11 @@ CROQUIS_LANES_CLONES void fill_differences(const Points& low_a, const Points& hi
             const Bytes low = Bytes{} + low_a[i][k], high = Bytes{} + high_a[i][k];
 #pragma GCC unroll 3
             for (std::size_t g = 0; g < kRowBlocks; ++g) {
-                Bytes upper = low, lower = high;
-                keep_most(upper, reinterpret_cast<const LooseBytes*>(&low_b[k][g * kBytes])->v);
-                keep_least(lower, reinterpret_cast<const LooseBytes*>(&high_b[k][g * kBytes])->v);
+                Bytes upper, lower;
+                load(upper, &low_b[k][g * kBytes]);
+                load(lower, &high_b[k][g * kBytes]);
+                keep_most(upper, low);
+                keep_least(lower, high);
                 take_off(upper, lower);
                 take_off(left[g], upper);
             }
@@ -92,10 +96,10 @@ CROQUIS_LANES_CLONES void fill_differences(const Points& low_a, const Points& hi
 #pragma GCC unroll 3
         for (std::size_t g = 0; g < kRowBlocks; ++g) {
             const Bytes sum = static_cast<std::uint8_t>(kMostOfPair) - left[g];
-            reinterpret_cast<LooseBytes*>(&out[i][g * kBytes])->v = sum;
-            reinterpret_cast<LooseBytes*>(&out[i][kFramePoints + g * kBytes])->v = sum;
+            store(&out[i][g * kBytes], sum);
+            store(&out[i][kFramePoints + g * kBytes], sum);
         }
-        reinterpret_cast<LooseBytes*>(&out[i][2 * kFramePoints])->v = static_cast<std::uint8_t>(kMostOfPair) - left[0];
+        store(&out[i][2 * kFramePoints], Bytes{static_cast<std::uint8_t>(kMostOfPair) - left[0]});
     }
 }
 
@@ -109,10 +113,12 @@ CROQUIS_LANES_CLONES int fill_turn_bounds(const Differences& differences, std::s
 #pragma GCC unroll 3
         for (std::size_t g = 0; g < kRowBlocks; ++g) {
             const std::uint8_t* run = &differences[i][i + g * kBytes];
-            Bytes nearest = reinterpret_cast<const LooseBytes*>(run)->v;
+            Bytes nearest, next;
+            load(nearest, run);
 #pragma GCC unroll 20
             for (std::size_t d = 1; d < kBand; ++d) {
-                keep_least(nearest, reinterpret_cast<const LooseBytes*>(run + d)->v);
+                load(next, run + d);
+                keep_least(nearest, next);
             }
             Half halves[2];
             std::memcpy(halves, &nearest, sizeof nearest);
@@ -152,9 +158,10 @@ CROQUIS_LANES_CLONES int least_alignment(const Differences& differences, std::si
             }
         }
         // Where B is ahead, as many points of A can still be left out without one of B; where A is, B's must be.
-        Shorts least = cost[kBand - 1];
-        least += reinterpret_cast<const LooseShorts*>(&until[kRounds][block * kShorts])->v -
-                 reinterpret_cast<const LooseShorts*>(&until[round + 1][block * kShorts])->v;
+        Shorts until_end, until_here;
+        load(until_end, &until[kRounds][block * kShorts]);
+        load(until_here, &until[round + 1][block * kShorts]);
+        const Shorts least = cost[kBand - 1] + (until_end - until_here);
         result = least_of(least);
     }
     return result < limit ? least_of(cost[kStray]) : result;
@@ -173,10 +180,10 @@ CROQUIS_LANES_CLONES int least_cover_difference(const ContourDescriptor& a, cons
             const Shorts wide = __builtin_convertvector(from_b, Shorts);
             const Shorts turned =
                 __builtin_shufflevector(wide, wide, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
-            reinterpret_cast<LooseShorts*>(&own[r][h * kWide])->v = __builtin_convertvector(from_a, Shorts);
+            store(&own[r][h * kWide], __builtin_convertvector(from_a, Shorts));
             for (std::size_t twice = 0; twice < 2; ++twice) {
-                reinterpret_cast<LooseShorts*>(&other[0][r][(twice * kHalves + h) * kWide])->v = wide;
-                reinterpret_cast<LooseShorts*>(&other[1][r][(twice * kHalves + kHalves - 1 - h) * kWide])->v = turned;
+                store(&other[0][r][(twice * kHalves + h) * kWide], wide);
+                store(&other[1][r][(twice * kHalves + kHalves - 1 - h) * kWide], turned);
             }
         }
     }
@@ -186,8 +193,10 @@ CROQUIS_LANES_CLONES int least_cover_difference(const ContourDescriptor& a, cons
         for (std::size_t r = 0; r < kPolarRings; ++r) {
             const std::int16_t* row = &other[turn / kPolarSectors][r][turn % kPolarSectors];
             for (std::size_t h = 0; h < kHalves; ++h) {
-                const Shorts d = reinterpret_cast<const LooseShorts*>(&own[r][h * kWide])->v -
-                                 reinterpret_cast<const LooseShorts*>(row + h * kWide)->v;
+                Shorts here, there;
+                load(here, &own[r][h * kWide]);
+                load(there, row + h * kWide);
+                const Shorts d = here - there;
                 sum += d < 0 ? -d : d;
             }
         }
