@@ -8,7 +8,6 @@
 // the parts, by the contour and by both.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>

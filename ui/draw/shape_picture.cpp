@@ -345,6 +345,166 @@ core::Result<void> write_match_picture(const std::vector<MatchPictureItem>& item
     return page.write(path);
 }
 
+namespace {
+
+/// One shape's ring of parts as a disk.
+class RingDisk {
+  public:
+    RingDisk(const Page& page, const core::ShapeDescriptor& d, const core::Match& match, bool side_b, Point centre)
+        : page_(page), descriptor_(d), match_(match), side_b_(side_b), centre_(centre) {
+        clockwise_ = side_b && match.reversed;
+        if (match.pairs.empty()) return;
+        const core::Part& first = part_of(0);
+        start_ = clockwise_ ? first.first_terminal + first.terminal_count - 1 : first.first_terminal;
+    }
+
+    void draw(const std::vector<std::string>& names) const {
+        for (int t = 0; t < descriptor_.terminal_count; ++t) {
+            sector({t, 1}, kInner, kRim, kClay, 0.8);
+            if (static_cast<std::size_t>(t) < names.size()) name(t, names[static_cast<std::size_t>(t)]);
+        }
+        draw_wings();
+        for (std::size_t k = 0; k < match_.pairs.size(); ++k) draw_pair(k);
+    }
+
+  private:
+    static constexpr double kRim = 104.0, kInner = 74.0, kStep = 17.0, kGap = 3.0;  // pixels
+    static constexpr int kMostLayers = 3;
+
+    /// A run of terminals.
+    struct Run {
+        int first = 0, count = 1;
+    };
+
+    [[nodiscard]] const core::Part& part_of(std::size_t pair) const {
+        const core::MatchedPair& p = match_.pairs[pair];
+        return descriptor_.parts[static_cast<std::size_t>(side_b_ ? p.part_b : p.part_a)];
+    }
+
+    /// Turns from the top, anti-clockwise, at which a run starts.
+    [[nodiscard]] double turn_of(Run run) const {
+        const int n = descriptor_.terminal_count;
+        const int place = clockwise_ ? start_ - (run.first + run.count - 1) : run.first - start_;
+        return static_cast<double>((place % n + n) % n) / n;
+    }
+    [[nodiscard]] Point at(double turn, double radius) const {
+        const double angle = turn * 2.0 * 3.14159265358979323846;
+        return centre_ - Point{std::sin(angle), std::cos(angle)} * radius;
+    }
+
+    void sector(Run run, double inner, double outer, Rgb colour, double alpha) const {
+        constexpr int kSteps = 24;
+        const double from = turn_of(run), width = static_cast<double>(run.count) / descriptor_.terminal_count;
+        for (int k = 0; k <= 2 * kSteps + 1; ++k) {
+            const bool out = k <= kSteps;
+            const Point p = at(from + width * (out ? k : 2 * kSteps + 1 - k) / kSteps, out ? outer : inner);
+            (k == 0 ? cairo_move_to : cairo_line_to)(page_.get(), p.x, p.y);
+        }
+        cairo_close_path(page_.get());
+        page_.colour(colour, alpha);
+        cairo_fill_preserve(page_.get());
+        page_.colour(kSheet);
+        cairo_set_line_width(page_.get(), 1.6);
+        cairo_stroke(page_.get());
+    }
+
+    /// Wings that group terminals, the smallest nearest the rim; those that would overlap lie further in.
+    void draw_wings() const {
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < descriptor_.parts.size(); ++i) {
+            if (descriptor_.parts[i].terminal_count > 1) order.push_back(i);
+        }
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return descriptor_.parts[a].terminal_count < descriptor_.parts[b].terminal_count;
+        });
+        std::vector<std::vector<char>> taken;
+        for (const std::size_t i : order) {
+            const core::Part& wing = descriptor_.parts[i];
+            const auto is_free = [&](const std::vector<char>& layer) {
+                for (int k = 0; k < wing.terminal_count; ++k) {
+                    if (layer[terminal(wing, k)] != 0) return false;
+                }
+                return true;
+            };
+            std::size_t layer = 0;
+            while (layer < taken.size() && !is_free(taken[layer])) ++layer;
+            if (layer == kMostLayers) continue;
+            if (layer == taken.size()) taken.emplace_back(descriptor_.terminal_count, 0);
+            for (int k = 0; k < wing.terminal_count; ++k) taken[layer][terminal(wing, k)] = 1;
+            const double outer = kInner - kGap - static_cast<double>(layer) * kStep;
+            const std::size_t pair = pair_of(wing);
+            const bool matched = pair < match_.pairs.size();
+            sector({wing.first_terminal, wing.terminal_count}, outer - kStep + kGap, outer,
+                   matched ? kPartColours[pair % kPartColours.size()] : kClay, matched ? 0.6 : 0.45);
+        }
+    }
+    /// The pair whose part groups the same terminals; past the last one if there is none.
+    [[nodiscard]] std::size_t pair_of(const core::Part& wing) const {
+        std::size_t k = 0;
+        while (k < match_.pairs.size() &&
+               (part_of(k).first_terminal != wing.first_terminal || part_of(k).terminal_count != wing.terminal_count))
+            ++k;
+        return k;
+    }
+    [[nodiscard]] std::size_t terminal(const core::Part& part, int k) const {
+        return static_cast<std::size_t>((part.first_terminal + k) % descriptor_.terminal_count);
+    }
+
+    /// The terminals of a matched part, in its colour, as one sector with its number.
+    void draw_pair(std::size_t k) const {
+        const core::Part& part = part_of(k);
+        const Rgb colour = kPartColours[k % kPartColours.size()];
+        const Run run{part.first_terminal, part.terminal_count};
+        sector(run, kInner, kRim, colour, 0.95);
+        const double middle = turn_of(run) + 0.5 * part.terminal_count / descriptor_.terminal_count;
+        const Point p = at(middle, 0.5 * (kInner + kRim));
+        const bool dark = 0.299 * colour.r + 0.587 * colour.g + 0.114 * colour.b < 120.0;
+        centred(p, 14.0, dark ? kSheet : kInk, std::to_string(k + 1));
+    }
+
+    void name(int t, const std::string& words) const {
+        const double middle = turn_of({t, 1}) + 0.5 / descriptor_.terminal_count;
+        cairo_text_extents_t box;
+        cairo_set_font_size(page_.get(), 13.0);
+        cairo_text_extents(page_.get(), words.c_str(), &box);
+        const Point p = at(middle, kRim + 10.0);
+        const double aside =
+            (p.x - centre_.x) / kRim;  // words start on the right, end on the left, stand on the middle
+        page_.text(p.x - box.width * (0.5 - 0.5 * std::clamp(1.6 * aside, -1.0, 1.0)), p.y + 4.5, 13.0, kMuted, words);
+    }
+
+    void centred(Point p, double size, Rgb colour, const std::string& words) const {
+        cairo_text_extents_t box;
+        cairo_set_font_size(page_.get(), size);
+        cairo_text_extents(page_.get(), words.c_str(), &box);
+        page_.text(p.x - box.width / 2.0 - box.x_bearing, p.y - box.height / 2.0 - box.y_bearing, size, colour, words);
+    }
+
+    const Page& page_;
+    const core::ShapeDescriptor& descriptor_;
+    const core::Match& match_;
+    bool side_b_ = false, clockwise_ = false;
+    int start_ = 0;
+    Point centre_;
+};
+
+}  // namespace
+
+core::Result<void> write_ring_picture(const MatchPictureItem& item, const RingNames& names, const std::string& path) {
+    constexpr double kSide = 380.0, kDisk = 290.0;
+    const Page page(static_cast<int>(2.0 * kSide), static_cast<int>(kHead + kSide * 0.86 + kDisk));
+    char words[64];
+    std::snprintf(words, sizeof words, "   %.1f%s", item.match->distance, item.match->reversed ? ", mirrored" : "");
+    page.text(16.0, 24.0, 15.0, kMuted, item.title_a + "  and  " + item.title_b + words);
+    const double top = kHead - 0.07 * kSide;
+    draw_matched(Panel(page, item.a->samples, 0.0, top, kSide), *item.a, *item.match, false);
+    draw_matched(Panel(page, item.b->samples, kSide, top, kSide), *item.b, *item.match, true);
+    const double middle = kHead + kSide * 0.86 + kDisk / 2.0;
+    RingDisk(page, *item.a, *item.match, false, {kSide / 2.0, middle}).draw(names.a);
+    RingDisk(page, *item.b, *item.match, true, {kSide * 1.5, middle}).draw(names.b);
+    return page.write(path);
+}
+
 core::Result<void> write_segmentation_sheet(const std::vector<core::DescribedShape>& shapes,
                                             const std::vector<std::string>& titles, int columns,
                                             const std::string& path) {

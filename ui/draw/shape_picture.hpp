@@ -38,6 +38,16 @@ struct MatchPictureItem {
 [[nodiscard]] core::Result<void> write_match_picture(const std::vector<MatchPictureItem>& items,
                                                      const std::string& path);
 
+/// One match with both shapes and, below each, its ring of parts as a disk, as in thesis fig. 1.5: terminals are the
+/// sectors of the rim, wings the arcs within, both anti-clockwise from the best start at the top (the second clockwise
+/// where it was read mirrored, so that matched sectors lie alike). Names are those of the terminals, beside the rim;
+/// none or one for each.
+struct RingNames {
+    std::vector<std::string> a, b;
+};
+[[nodiscard]] core::Result<void> write_ring_picture(const MatchPictureItem& item, const RingNames& names,
+                                                    const std::string& path);
+
 /// A contact sheet of final segmentations: junctions, sleeves and terminals with the skeleton over them.
 [[nodiscard]] core::Result<void> write_segmentation_sheet(const std::vector<core::DescribedShape>& shapes,
                                                           const std::vector<std::string>& titles, int columns,

@@ -24,17 +24,22 @@ struct Picture {
     GrayImage white_on_black;  ///< with a margin
 };
 
-std::vector<Picture> figures() {
-    std::vector<Picture> all;
-    const std::vector<std::pair<const char*, Polygon>> outlines{
-        {"horse", support::horse()},       {"centaur", support::centaur()},   {"horned", support::horned()},
-        {"hand", support::hand()},         {"airplane", support::airplane()}, {"bug", support::bug()},
-        {"star", support::star(5, 10, 4)}, {"cross", support::cross(9, 3)},   {"comb", support::comb(7, 6)},
-        {"L", support::l_shape(9, 3)},     {"disc", support::disc(80, 5)},    {"coastline", support::coastline(7)}};
-    for (const auto& [name, outline] : outlines) {
-        all.push_back({name, support::as_gray(support::silhouette_of(outline, 150, 12), true)});
-    }
-    return all;
+constexpr double kSize_px = 110;  ///< of the longer side of a figure
+
+struct Figure {
+    std::string name;
+    Polygon outline;
+};
+
+Picture pictured(const Figure& figure, double size = kSize_px) {
+    return {figure.name, support::as_gray(support::silhouette_of(figure.outline, size, 12), true)};
+}
+
+std::vector<Figure> figures() {
+    return {{"horse", support::horse()},       {"centaur", support::centaur()},   {"horned", support::horned()},
+            {"hand", support::hand()},         {"airplane", support::airplane()}, {"bug", support::bug()},
+            {"star", support::star(5, 10, 4)}, {"cross", support::cross(9, 3)},   {"comb", support::comb(7, 6)},
+            {"L", support::l_shape(9, 3)},     {"disc", support::disc(80, 5)},    {"coastline", support::coastline(7)}};
 }
 
 /// Every `every`-th file of a folder of real silhouettes, in the order of their names. None where it is not there,
@@ -126,56 +131,31 @@ class Originals {
     core::Matcher matcher_;
 };
 
-Nearness mirrored(const std::vector<Picture>& pictures, Originals& originals, std::size_t every) {
-    Nearness result;
-    for (std::size_t i = 0; i < pictures.size(); i += every) {
-        originals.compare(i, pictures[i].name + ", mirrored", support::turned(pictures[i].white_on_black, 0, 1, true),
-                          result);
-    }
-    return result;
-}
-
-Nearness turned(const std::vector<Picture>& pictures, Originals& originals, std::size_t every) {
-    Nearness result;
-    for (std::size_t i = 0; i < pictures.size(); i += every) {
-        for (int k = 1; k <= 12; ++k) {
-            const double degrees =
-                360.0 * k / 12.0 - 11.0;  // 11 degrees short of every twelfth: no copy is the original
-            originals.compare(i, pictures[i].name + ", turned by " + std::to_string(degrees),
-                              support::turned(pictures[i].white_on_black, degrees, 1, false), result);
-        }
-    }
-    return result;
-}
-
-Nearness scaled(const std::vector<Picture>& pictures, Originals& originals, std::size_t every) {
-    Nearness result;
-    for (std::size_t i = 0; i < pictures.size(); i += every) {
-        for (const double scale : {0.5, 2.0, 4.0}) {
-            originals.compare(i, pictures[i].name + ", scaled by " + std::to_string(scale),
-                              support::turned(pictures[i].white_on_black, 0, scale, false), result);
-        }
-    }
-    return result;
+constexpr int kTurns = 12;
+/// Eleven degrees short of every twelfth of a turn, so that no copy is the original.
+double degrees_of(int turn) {
+    return 360.0 * turn / kTurns - 11.0;
 }
 
 }  // namespace
 
 TEST_CASE("another start of the trace: the same descriptor to the last bit", "[stability]") {
-    for (const Picture& picture : figures()) check_other_starts(picture, 6);
+    for (const Figure& figure : figures()) check_other_starts(pictured(figure), 6);
 }
 
 TEST_CASE("another place: the same descriptor, its samples moved", "[stability]") {
-    for (const Picture& picture : figures()) check_other_places(picture, {{0, 0}, {1, 0}, {0, 1}, {17, 5}, {40, 39}});
+    for (const Figure& figure : figures()) {
+        check_other_places(pictured(figure), {{0, 0}, {1, 0}, {0, 1}, {17, 5}, {40, 39}});
+    }
 }
 
 TEST_CASE("the other polarity: the same descriptor to the last bit", "[stability]") {
-    for (const Picture& picture : figures()) check_other_polarity(picture);
+    for (const Figure& figure : figures()) check_other_polarity(pictured(figure));
 }
 
 TEST_CASE("real silhouettes: start, place and polarity change nothing", "[stability]") {
     for (const auto& [folder, every] :
-         {std::pair{"kimia99", 11U}, std::pair{"kimia216", 12U}, std::pair{"mpeg7", 40U}}) {
+         {std::pair{"kimia99", 11U}, std::pair{"kimia216", 24U}, std::pair{"mpeg7", 80U}}) {
         for (const Picture& picture : silhouettes(folder, every)) {
             check_other_starts(picture, 2);
             check_other_places(picture, {{17, 5}});
@@ -184,31 +164,56 @@ TEST_CASE("real silhouettes: start, place and polarity change nothing", "[stabil
     }
 }
 
-TEST_CASE("mirrored, turned and scaled copies are nearest to their own original", "[stability]") {
-    const std::vector<Picture> pictures = figures();
+TEST_CASE("mirrored, turned and scaled figures are nearest to their own original", "[stability]") {
+    std::vector<Picture> pictures;
+    for (const Figure& figure : figures()) pictures.push_back(pictured(figure));
     Originals originals(pictures);
-    SECTION("mirrored") {
-        CHECK(mirrored(pictures, originals, 1).share() == 100.0);
+    Nearness mirrored, turned, scaled;
+    std::size_t own = 0;
+    for (const auto& [name, outline] : figures()) {
+        const Picture mirror = pictured({name + ", mirrored", support::mirrored(outline)});
+        originals.compare(own, mirror.name, mirror.white_on_black, mirrored);
+        for (int k = 1; k <= kTurns; ++k) {
+            const Polygon copy = support::turned(outline, degrees_of(k) * std::numbers::pi / 180.0);
+            const Picture picture = pictured({name + ", turned by " + std::to_string(degrees_of(k)), copy});
+            originals.compare(own, picture.name, picture.white_on_black, turned);
+        }
+        for (const double scale : {0.5, 2.0, 4.0}) {
+            const Picture picture =
+                pictured({name + ", scaled by " + std::to_string(scale), outline}, kSize_px * scale);
+            originals.compare(own, picture.name, picture.white_on_black, scaled);
+        }
+        ++own;
     }
-    SECTION("turned") {
-        CHECK(turned(pictures, originals, 2).share() == 100.0);
-    }
-    SECTION("scaled") {
-        CHECK(scaled(pictures, originals, 3).share() == 100.0);
-    }
+    CHECK(mirrored.share() == 100.0);
+    CHECK(turned.share() == 100.0);
+    CHECK(scaled.share() == 100.0);
 }
 
 TEST_CASE("real silhouettes: copies are nearest to their own original among several of every class", "[stability]") {
     const std::vector<Picture> pictures = silhouettes("kimia216", 4);
     if (pictures.empty()) return;
     Originals originals(pictures);
+    Nearness all;
+    const auto compare = [&](std::size_t own, double degrees, double scale, bool mirrored) {
+        const Picture& picture = pictures[own];
+        originals.compare(own, picture.name, support::turned(picture.white_on_black, degrees, scale, mirrored), all);
+    };
     SECTION("mirrored") {
-        CHECK(mirrored(pictures, originals, 3).share() == 100.0);
+        for (std::size_t i = 0; i < pictures.size(); i += 3) compare(i, 0, 1, true);
+        CHECK(all.share() == 100.0);
     }
     SECTION("turned") {
-        CHECK(turned(pictures, originals, 9).share() >= 97.0);
+        for (std::size_t i = 0; i < pictures.size(); i += 18) {
+            for (int k = 1; k <= kTurns; ++k) compare(i, degrees_of(k), 1, false);
+        }
+        CHECK(all.share() >= 97.0);
     }
     SECTION("scaled") {
-        CHECK(scaled(pictures, originals, 9).share() == 100.0);
+        for (std::size_t i = 0; i < pictures.size(); i += 18) {
+            for (const double scale : {0.5, 2.0}) compare(i, 0, scale, false);
+        }
+        compare(1, 0, 4.0, false);
+        CHECK(all.share() == 100.0);
     }
 }
