@@ -30,7 +30,7 @@ namespace {
 
 constexpr double kFrame_ms = 1000.0 / 60;
 constexpr double kLongestLift_ms = 1500;  // as the kiosk's replays
-constexpr int kBest = 20;                 // as the kiosk
+constexpr int kBest = 10;                 // as the kiosk
 
 std::vector<std::string> choose(const std::filesystem::path& folder, std::size_t count, unsigned seed) {
     std::vector<std::string> all;
