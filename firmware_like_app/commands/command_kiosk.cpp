@@ -46,7 +46,7 @@ core::Result<std::vector<NamedDrawing>> read_replays(const std::vector<std::stri
 
 /// A missing or damaged index is no reason not to open: the sheet works, and a calm screen says what is missing.
 std::unique_ptr<SketchSearcher> open_collection(const KioskCommandOptions& options, KioskOptions& kiosk) {
-    constexpr int kBest = 20;
+    constexpr int kBest = 10;  // nine cards, and one more to know what is just below
     if (options.database.empty()) {
         kiosk.collection = CollectionState::Empty;
         return nullptr;

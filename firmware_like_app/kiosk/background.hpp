@@ -10,8 +10,9 @@ namespace app {
 /// Lowers the priority of the calling thread and of those that it starts from now on. On two cores that are both busy
 /// searching, the thread that draws ink then still gets its core at once.
 inline void yield_to_the_pen() {
-    constexpr int kNice = 5;
-    (void)setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNice);
+    constexpr int kNicer = 5;  // than the rest of the program
+    const auto self = static_cast<id_t>(syscall(SYS_gettid));
+    (void)setpriority(PRIO_PROCESS, self, getpriority(PRIO_PROCESS, self) + kNicer);
 }
 
 }  // namespace app

@@ -15,6 +15,7 @@ constexpr int kFirstWash = 10;
 constexpr std::int64_t kWashRest_us = 700'000, kWashIn_us = 240'000, kWashStagger_us = 30'000, kWashOut_us = 80'000;
 constexpr std::int64_t kClearedOffer_us = 8'000'000;
 constexpr double kReplayMargin = 0.12;  // of the sheet's smaller side
+constexpr double kFineWidth = 0.5;      // of the normal line
 constexpr double kFrozenReach_px = 200;
 constexpr double kEraserReach_px = 12;  // of the design: half the ring
 
@@ -184,7 +185,7 @@ void FindMode::begin_stroke(const core::PenSample& sample, std::int64_t now_us) 
     cleared_ = false;
     wash_settled_ = false;
     if (wash_since_us_ && !wash_out_us_) wash_out_us_ = now_us;
-    sketch_.begin(sample);
+    sketch_.begin(sample, fine_pen_ ? kFineWidth : 1.0);
 }
 
 void FindMode::extend_stroke(const core::PenSample& sample) {
@@ -219,6 +220,7 @@ void FindMode::wipe(std::size_t language, ui::Hand hand) {
     cleared_ = false;
     opened_card_.reset();
     tool_ = ui::Tool::Pen;
+    fine_pen_ = false;
     sketch_.forget();
     drop_results();
     pictures_.reset(painter_);
@@ -232,6 +234,7 @@ void FindMode::wipe(std::size_t language, ui::Hand hand) {
 void FindMode::act(const ui::Intent& intent, std::int64_t now_us) {
     switch (intent.control) {
         case ui::Control::Pen:
+            if (tool_ == ui::Tool::Pen) fine_pen_ = !fine_pen_;  // the pen again: its other width
             tool_ = ui::Tool::Pen;
             break;
         case ui::Control::Eraser:
@@ -457,7 +460,7 @@ double FindMode::wash_opacity(std::size_t part, std::int64_t now_us) const {
 }
 
 ui::InkLayer::Ink FindMode::ink() const {
-    return {sketch_.drawing().strokes, sketch_.open(), sketch_.epoch(), frame_, layout_.ink_width_px};
+    return {sketch_.drawing().strokes, sketch_.open(), sketch_.epoch(), frame_, layout_.ink_width_px, sketch_.widths()};
 }
 
 int FindMode::update_ink() {
@@ -470,7 +473,7 @@ std::vector<ui::InkPiece> FindMode::ahead_ink() const {
     const std::vector<core::PenSample>& samples = sketch_.drawing().strokes.back().samples;
     std::vector<core::PenSample> end(samples.end() - std::min<std::ptrdiff_t>(2, std::ssize(samples)), samples.end());
     end.push_back(*ahead_);
-    ui::append_ink_span(end, end.size() - 2, frame_, layout_.ink_width_px, pieces);
+    ui::append_ink_span(end, end.size() - 2, frame_, ink().width_of(sketch_.widths().size() - 1), pieces);
     move_by(pieces, layout_.sheet);
     return pieces;
 }
@@ -480,6 +483,7 @@ ui::FindState FindMode::state(std::int64_t now_us) const {
     const ui::Strings& words = languages_[options_.language];
     s.language = options_.language;
     s.tool = eraser_near_ || pen_ == Pen::Erasing ? ui::Tool::Eraser : tool_;
+    s.fine_pen = fine_pen_;
     s.can_undo = sketch_.can_undo();
     s.can_redo = sketch_.can_redo();
     s.sheet_empty = sketch_.empty();

@@ -143,6 +143,7 @@ class FindMode final : public Mode {
     ui::Sketch sketch_;
     ui::InkFrame frame_;  // units of the drawing to pixels of the sheet
     ui::Tool tool_ = ui::Tool::Pen;
+    bool fine_pen_ = false;
     ui::BoardTouch touch_;
     enum class Pen { Up, Drawing, Erasing } pen_ = Pen::Up;
     std::optional<core::Point> pointer_px_;

@@ -1,18 +1,22 @@
 // How soon the kiosk knows what a drawing looks like: recorded drawings in their own time, a batch of samples a frame
 // of 1/60 s, the newest batch searched as soon as the search before is done.
 //
-//     live_report INDEX FOLDER [COUNT [JOBS [EVERY [SEED]]]]
+//     live_report INDEX FOLDER [COUNT [JOBS [EVERY [SEED]]]] [--quiet-cores N]
 //
 // Time is that of the recording; a search takes as long as it takes here. So nothing waits for a hand, and every batch
 // is searched that the kiosk would search; with EVERY N only each Nth of them, the others taking as long as the one
-// before. FOLDER holds Quick-Draw files; COUNT drawings are chosen by SEED. Prints for every batch the time from its
-// last sample until a ranking was there that knew it, and the stages of the searches.
+// before. With --quiet-cores N a search counts as long as it would take on N cores with nothing else to do: the
+// processor time of silhouette and description, and that of the search shared evenly; JOBS has to be 1 for that. So
+// figures can be had on a machine that others use. FOLDER holds Quick-Draw files; COUNT drawings are chosen by SEED.
+// Prints for every batch the time from its last sample until a ranking was there that knew it, and the stages of the
+// searches.
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -26,7 +30,7 @@ namespace {
 
 constexpr double kFrame_ms = 1000.0 / 60;
 constexpr double kLongestLift_ms = 1500;  // as the kiosk's replays
-constexpr int kBest = 20;                 // as the kiosk
+constexpr int kBest = 10;                 // as the kiosk
 
 std::vector<std::string> choose(const std::filesystem::path& folder, std::size_t count, unsigned seed) {
     std::vector<std::string> all;
@@ -75,12 +79,41 @@ core::Drawing part_of(const core::Drawing& whole, const Batch& batch) {
     return part;
 }
 
+/// Processor time of this thread.
+double cpu_ms() {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) * 1e3 + static_cast<double>(t.tv_nsec) * 1e-6;
+}
+
 struct Times {
     std::vector<double> from_sample, from_frame, waited, silhouette, describe, search, whole;
     std::size_t batches = 0, searches = 0, measured = 0;
 };
 
-void draw(const core::Drawing& drawing, app::SketchSearcher& searcher, int every, Times& times) {
+/// A search, and how long it took; with quiet cores its stages are scaled from the clock to processor time.
+double search(app::SketchSearcher& searcher, const core::Drawing& drawing, int quiet_cores, Times& times) {
+    const auto clock = std::chrono::steady_clock::now();
+    const double cpu = cpu_ms();
+    app::SearchAnswer answer = searcher.search(drawing, {});
+    double took = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - clock).count();
+    if (quiet_cores > 0) {
+        const double scale = (cpu_ms() - cpu) / took;
+        answer.silhouette_ms *= scale;
+        answer.describe_ms *= scale;
+        const double rest = took * scale - answer.silhouette_ms - answer.describe_ms;
+        answer.search_ms = rest / quiet_cores;
+        took = answer.silhouette_ms + answer.describe_ms + answer.search_ms;
+    }
+    ++times.measured;
+    times.whole.push_back(took);
+    times.silhouette.push_back(answer.silhouette_ms);
+    times.describe.push_back(answer.describe_ms);
+    times.search.push_back(answer.search_ms);
+    return took;
+}
+
+void draw(const core::Drawing& drawing, app::SketchSearcher& searcher, int every, int quiet_cores, Times& times) {
     const std::vector<Batch> batches = batches_of(drawing);
     times.batches += batches.size();
     double free_at = 0, took = 0;
@@ -91,16 +124,7 @@ void draw(const core::Drawing& drawing, app::SketchSearcher& searcher, int every
         std::size_t newest = next;
         while (newest + 1 < batches.size() && batches[newest + 1].frame_ms <= start) ++newest;
         ++times.searches;
-        if (n % every == 0) {
-            const auto clock = std::chrono::steady_clock::now();
-            const app::SearchAnswer answer = searcher.search(part_of(drawing, batches[newest]), {});
-            took = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - clock).count();
-            ++times.measured;
-            times.whole.push_back(took);
-            times.silhouette.push_back(answer.silhouette_ms);
-            times.describe.push_back(answer.describe_ms);
-            times.search.push_back(answer.search_ms);
-        }
+        if (n % every == 0) took = search(searcher, part_of(drawing, batches[newest]), quiet_cores, times);
         free_at = start + took;
         for (; next <= newest; ++next) {
             times.from_sample.push_back(free_at - batches[next].last_ms);
@@ -123,8 +147,13 @@ void print(const char* what, std::vector<double>& ms) {
 
 int main(int argc, char** argv) {
     if (argc < 3) {
-        std::fprintf(stderr, "live_report INDEX FOLDER [COUNT [JOBS [EVERY [SEED]]]]\n");
+        std::fprintf(stderr, "live_report INDEX FOLDER [COUNT [JOBS [EVERY [SEED]]]] [--quiet-cores N]\n");
         return 2;
+    }
+    int quiet_cores = 0;
+    if (argc > 4 && std::string(argv[argc - 2]) == "--quiet-cores") {
+        quiet_cores = std::atoi(argv[argc - 1]);
+        argc -= 2;
     }
     const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
     auto searcher = app::SketchSearcher::open(argv[1], number(4, 2), kBest);
@@ -138,7 +167,7 @@ int main(int argc, char** argv) {
          choose(argv[2], static_cast<std::size_t>(number(3, 200)), static_cast<unsigned>(number(6, 1)))) {
         const auto sketch = core::read_sketch(spec);
         if (!sketch || !sketch->drawing) continue;
-        draw(*sketch->drawing, **searcher, std::max(number(5, 1), 1), times);
+        draw(*sketch->drawing, **searcher, std::max(number(5, 1), 1), quiet_cores, times);
         ++drawings;
     }
     std::printf("%zu drawings, %zu batches, %zu searches, %zu of them measured\n", drawings, times.batches,

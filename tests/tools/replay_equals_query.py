@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Replays drawings through the kiosk and asks whether it found what `croquis query` finds for the same drawings.
 
-    replay_equals_query.py CROQUIS INDEX FOLDER [--classes MAP.csv] [--count 200] [--seed 1] [--top 20] [--shots DIR]
+    replay_equals_query.py CROQUIS INDEX FOLDER [--classes MAP.csv] [--count 200] [--seed 1] [--top 10] [--shots DIR]
 
 FOLDER holds Quick-Draw files (one drawing a line). With --classes only the categories that the map names in its
 column `quickdraw_category` are used. COUNT drawings are chosen by SEED among all lines of all these files and played
@@ -30,7 +30,7 @@ def parse_arguments():
     parser.add_argument("--classes", type=Path)
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--top", type=int, default=20, choices=range(1, 21), metavar="1..20")
+    parser.add_argument("--top", type=int, default=10, choices=range(1, 11), metavar="1..10")
     parser.add_argument("--shots")
     parser.add_argument("--size", help="of the pictures, WIDTHxHEIGHT")
     return parser.parse_args()

@@ -63,8 +63,9 @@ int InkLayer::update(const Ink& ink) {
     while (stroke_ < ink.strokes.size()) {
         const bool last = stroke_ + 1 == ink.strokes.size();
         const std::vector<core::PenSample>& samples = ink.strokes[stroke_].samples;
+        const double width = ink.width_of(stroke_);
         const std::size_t settled = settled_spans(ink.strokes[stroke_], last && ink.last_open);
-        for (; span_ < settled; ++span_) append_ink_span(samples, span_, ink.frame, ink.width_px, pieces);
+        for (; span_ < settled; ++span_) append_ink_span(samples, span_, ink.frame, width, pieces);
         if (last) break;
         ++stroke_;
         span_ = 0;
@@ -86,7 +87,8 @@ std::vector<InkPiece> InkLayer::wet_end(const Ink& ink) {
     std::vector<InkPiece> pieces;
     if (!ink.last_open || ink.strokes.empty()) return pieces;
     const std::vector<core::PenSample>& samples = ink.strokes.back().samples;
-    if (!samples.empty()) append_ink_span(samples, ink_span_count(samples) - 1, ink.frame, ink.width_px, pieces);
+    const double width = ink.width_of(ink.strokes.size() - 1);
+    if (!samples.empty()) append_ink_span(samples, ink_span_count(samples) - 1, ink.frame, width, pieces);
     return pieces;
 }
 

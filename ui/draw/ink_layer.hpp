@@ -2,6 +2,7 @@
 // The ink of the sheet in a picture that stays: each call draws only what is new, whatever is there already.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/stroke/stroke.hpp"
@@ -22,6 +23,10 @@ class InkLayer {
         std::uint64_t epoch = 0;  ///< another number when anything but appending happened
         InkFrame frame;
         double width_px = 7.5;
+        std::span<const double> widths = {};  ///< of each stroke, as shares of width_px; none: all 1
+        [[nodiscard]] double width_of(std::size_t stroke) const {
+            return stroke < widths.size() ? width_px * widths[stroke] : width_px;
+        }
     };
     /// Draws what was added since the last call, or everything anew when the epoch, frame or width changed. The newest
     /// span of an open stroke is left out, since the next sample may bend it: wet_end gives it. Returns the number of

@@ -101,6 +101,7 @@ class Drawer {
 
     void tools() {
         tool(0, Icon::Pen, "tool_pen", Control::Pen, state_.tool == Tool::Pen, true);
+        pen_widths(state_.tool == Tool::Pen);
         tool(1, Icon::Eraser, "tool_eraser", Control::Eraser, state_.tool == Tool::Eraser, true);
         tool(2, Icon::Undo, "tool_undo", Control::Undo, false, state_.can_undo);
         tool(3, Icon::Redo, "tool_redo", Control::Redo, false, state_.can_redo);
@@ -201,6 +202,18 @@ class Drawer {
                        cy + cap_drop(type_.tag), Align::Centre);
             cx += pitch;
         }
+    }
+
+    /// Two dots beside the pen: the widths of its line, the one in use at full strength.
+    void pen_widths(bool chosen) {
+        const Rect& r = l_.tools[0];
+        const Colour colour = chosen ? palette::kSheet : palette::kInk;
+        const auto dot = [&](double down, double size, bool used) {
+            const double d = l_.px(size), x = r.right() - l_.px(14), y = r.y + l_.px(down);
+            list_.box({x - d / 2, y - d / 2, d, d}, d / 2, colour.faded(used ? 1.0F : palette::kOffShare));
+        };
+        dot(17, 5, state_.fine_pen);
+        dot(32, 10, !state_.fine_pen);
     }
 
     void tool(std::size_t i, Icon icon, const char* word, Control control, bool chosen, bool on) {

@@ -25,9 +25,10 @@ bool touches(const core::Stroke& stroke, core::Point point, double reach) {
 
 }  // namespace
 
-void Sketch::begin(const core::PenSample& sample) {
+void Sketch::begin(const core::PenSample& sample, double width) {
     if (open_) end();
     drawing_.strokes.push_back({{sample}});
+    widths_.push_back(width);
     open_ = true;
     ++revision_;
 }
@@ -44,12 +45,12 @@ void Sketch::end() {
     if (!open_) return;
     open_ = false;
     ++revision_;
-    record({true, {{drawing_.strokes.size() - 1, drawing_.strokes.back()}}});
+    record({true, {{drawing_.strokes.size() - 1, drawing_.strokes.back(), widths_.back()}}});
 }
 
 void Sketch::take_back() {
     if (!open_ && erasing_.strokes.empty()) return;
-    if (open_) drawing_.strokes.pop_back();
+    if (open_) remove(drawing_.strokes.size() - 1);
     open_ = false;
     add_back(erasing_);
     erasing_ = {};
@@ -67,8 +68,8 @@ bool Sketch::erase_at(core::Point point, double reach) {
     for (std::size_t i = drawing_.strokes.size(); i-- > 0;) {
         if (!touches(drawing_.strokes[i], point, reach)) continue;
         // taken out in this order, put back in the opposite one, so places stay true
-        erasing_.strokes.insert(erasing_.strokes.begin(), {i, std::move(drawing_.strokes[i])});
-        drawing_.strokes.erase(drawing_.strokes.begin() + static_cast<std::ptrdiff_t>(i));
+        erasing_.strokes.insert(erasing_.strokes.begin(), {i, std::move(drawing_.strokes[i]), widths_[i]});
+        remove(i);
         any = true;
     }
     if (any) {
@@ -89,9 +90,11 @@ void Sketch::clear() {
     if (empty()) return;
     Step step;
     step.strokes.reserve(drawing_.strokes.size());
-    std::for_each(drawing_.strokes.rbegin(), drawing_.strokes.rend(),
-                  [&](const auto& stroke) { step.strokes.emplace_back(0, stroke); });
+    for (std::size_t i = drawing_.strokes.size(); i-- > 0;) {
+        step.strokes.push_back({0, std::move(drawing_.strokes[i]), widths_[i]});
+    }
     drawing_.strokes.clear();
+    widths_.clear();
     ++epoch_;
     ++revision_;
     record(std::move(step));
@@ -104,16 +107,20 @@ void Sketch::forget() {
     revision_ = revision;
 }
 
+void Sketch::remove(std::size_t i) {
+    drawing_.strokes.erase(drawing_.strokes.begin() + static_cast<std::ptrdiff_t>(i));
+    widths_.erase(widths_.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
 void Sketch::add_back(const Step& step) {
-    for (const auto& [place, stroke] : step.strokes) {
-        drawing_.strokes.insert(drawing_.strokes.begin() + static_cast<std::ptrdiff_t>(place), stroke);
+    for (const Step::Placed& s : step.strokes) {
+        drawing_.strokes.insert(drawing_.strokes.begin() + static_cast<std::ptrdiff_t>(s.place), s.stroke);
+        widths_.insert(widths_.begin() + static_cast<std::ptrdiff_t>(s.place), s.width);
     }
 }
 
 void Sketch::take_out(const Step& step) {
-    std::for_each(step.strokes.rbegin(), step.strokes.rend(), [&](const auto& placed) {
-        drawing_.strokes.erase(drawing_.strokes.begin() + static_cast<std::ptrdiff_t>(placed.first));
-    });
+    std::for_each(step.strokes.rbegin(), step.strokes.rend(), [&](const auto& placed) { remove(placed.place); });
 }
 
 void Sketch::undo() {

@@ -11,8 +11,8 @@ namespace ui {
 
 class Sketch {
   public:
-    /// Tip down. The first sample belongs to the stroke.
-    void begin(const core::PenSample& sample);
+    /// Tip down. The first sample belongs to the stroke; its line is `width` times as wide as the normal one.
+    void begin(const core::PenSample& sample, double width = 1.0);
     /// Tip moved. A sample at the very place of the last one is left out. Needs an open stroke.
     void extend(const core::PenSample& sample);
     /// Tip up: the stroke becomes one step of undo.
@@ -37,6 +37,8 @@ class Sketch {
 
     [[nodiscard]] const core::Drawing& drawing() const { return drawing_; }
     [[nodiscard]] bool empty() const { return drawing_.strokes.empty(); }
+    /// Of each stroke of the drawing, as begin() was told.
+    [[nodiscard]] const std::vector<double>& widths() const { return widths_; }
     /// Changes with everything but appending samples and strokes: a picture of the strokes must be drawn anew.
     [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
     /// Changes with every change.
@@ -45,14 +47,21 @@ class Sketch {
   private:
     /// A step: strokes that it added at the end, or removed from the places given (ascending).
     struct Step {
+        struct Placed {
+            std::size_t place = 0;
+            core::Stroke stroke;
+            double width = 1.0;
+        };
         bool added = false;
-        std::vector<std::pair<std::size_t, core::Stroke>> strokes;
+        std::vector<Placed> strokes;
     };
+    void remove(std::size_t i);
     void add_back(const Step& step);
     void take_out(const Step& step);
     void record(Step step);
 
     core::Drawing drawing_;
+    std::vector<double> widths_;
     std::vector<Step> done_, undone_;
     Step erasing_;
     bool open_ = false;

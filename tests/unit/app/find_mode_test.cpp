@@ -272,7 +272,10 @@ namespace {
 /// What a pen does, as the desk of pens gives it.
 ui::WindowEvent pen(Kiosk& kiosk, Kind kind, double x, double y, bool eraser = false, double pressure = 0.5) {
     kiosk.now_us += 8'000;
-    return {kind, x, y, pressure, kiosk.now_us, false, true, eraser};
+    ui::WindowEvent event{kind, x, y, pressure, kiosk.now_us};
+    event.pen = true;
+    event.eraser = eraser;
+    return event;
 }
 
 }  // namespace
@@ -334,4 +337,18 @@ TEST_CASE("ink ahead of the pen is shown, never kept, and ends with the stroke",
     kiosk.find->look_ahead(pen(kiosk, Kind::Move, 836, 300));
     kiosk.find->pointer(pen(kiosk, Kind::Up, 830, 300));
     CHECK(kiosk.state().ahead_ink.empty());
+}
+
+TEST_CASE("the pen pressed again draws the finer line, and once more the normal one", "[find mode]") {
+    Kiosk kiosk(nullptr);
+    kiosk.stroke(700, 200, 1000, 200);
+    kiosk.tap(kiosk.layout().tools[0]);
+    CHECK(kiosk.state().fine_pen);
+    kiosk.stroke(700, 300, 1000, 300);
+    CHECK(kiosk.find->sketch().widths() == std::vector<double>{1.0, 0.5});
+    kiosk.tap(kiosk.layout().tools[1]);
+    kiosk.tap(kiosk.layout().tools[0]);  // back from the eraser: the width stays
+    CHECK(kiosk.state().fine_pen);
+    kiosk.tap(kiosk.layout().tools[0]);
+    CHECK_FALSE(kiosk.state().fine_pen);
 }

@@ -127,3 +127,27 @@ TEST_CASE("taking back leaves sheet and history as they were", "[sketch]") {
     sketch.undo();
     CHECK(sketch.empty());
 }
+
+TEST_CASE("strokes keep their width through erasing, undo and clearing", "[sketch]") {
+    ui::Sketch sketch;
+    for (const double width : {1.0, 0.5, 1.0}) {
+        sketch.begin({0, 10 * static_cast<double>(sketch.widths().size()), 0, 1}, width);
+        sketch.end();
+    }
+    REQUIRE(sketch.erase_at({10, 0}, 1));
+    sketch.end_erasing();
+    CHECK(sketch.widths() == std::vector<double>{1, 1});
+    sketch.undo();
+    CHECK(sketch.widths() == std::vector<double>{1, 0.5, 1});
+    sketch.clear();
+    CHECK(sketch.widths().empty());
+    sketch.undo();
+    CHECK(sketch.widths() == std::vector<double>{1, 0.5, 1});
+    CHECK(sketch.drawing().strokes[1].samples[0].x == 10);
+    sketch.undo();
+    sketch.redo();
+    CHECK(sketch.widths().size() == sketch.drawing().strokes.size());
+    sketch.begin({0, 50, 0, 1}, 0.5);
+    sketch.take_back();
+    CHECK(sketch.widths() == std::vector<double>{1, 0.5, 1});
+}
