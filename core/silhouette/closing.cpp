@@ -243,25 +243,6 @@ Result<Silhouette> find_in(const Drawing& drawing, const SilhouetteOptions& opti
     return near_layout ? close_drawing(near, *near_layout, options) : first;
 }
 
-template <typename Source>
-Result<std::vector<Silhouette>> readings_in(const Source& source, const SilhouetteOptions& options) {
-    SilhouetteOptions tight = options, wide = options;
-    tight.closing_share /= 3.0;
-    tight.joining_share = 0.0;
-    wide.closing_share *= 2.5;
-    wide.joining_share *= 2.5;
-    std::vector<Silhouette> readings;
-    for (const SilhouetteOptions& reading : {options, tight, wide}) {
-        Result<Silhouette> found = find_in(source, reading);
-        if (!found) return unexpected(found.error());
-        const bool known = std::any_of(readings.begin(), readings.end(), [&](const Silhouette& other) {
-            return other.image.width == found->image.width && other.image.pixels == found->image.pixels;
-        });
-        if (!known) readings.push_back(std::move(*found));
-    }
-    return readings;
-}
-
 Result<BinaryImage> image_of(Result<Silhouette> found) {
     if (!found) return unexpected(found.error());
     return std::move(found->image);
@@ -283,14 +264,6 @@ Result<BinaryImage> silhouette_of(const Drawing& drawing, const SilhouetteOption
 
 Result<BinaryImage> silhouette_of(const GrayImage& page, const SilhouetteOptions& options) {
     return image_of(find_silhouette(page, options));
-}
-
-Result<std::vector<Silhouette>> silhouette_readings(const Drawing& drawing, const SilhouetteOptions& options) {
-    return readings_in(drawing, options);
-}
-
-Result<std::vector<Silhouette>> silhouette_readings(const GrayImage& page, const SilhouetteOptions& options) {
-    return readings_in(ink_strength(page), options);
 }
 
 }  // namespace core

@@ -9,8 +9,6 @@
 // to the closing radius, a region that no disc of radius r can leave, and that holds such a disc, is filled. Parallel
 // limbs are never joined by this, however near; strokes that enclose nothing stay as lines of the pen's width.
 
-#include <vector>
-
 #include "core/base/result.hpp"
 #include "core/silhouette/image.hpp"
 #include "core/silhouette/ink.hpp"
@@ -43,13 +41,5 @@ struct Silhouette {
 /// The image of find_silhouette alone.
 [[nodiscard]] Result<BinaryImage> silhouette_of(const Drawing& drawing, const SilhouetteOptions& options = {});
 [[nodiscard]] Result<BinaryImage> silhouette_of(const GrayImage& page, const SilhouetteOptions& options = {});
-
-/// Readings that may compete where one is doubtful: as find_silhouette gives it; with a third of the closing and no
-/// joining; with two and a half times both. Equal readings are given once, so a filled silhouette has one. Errors as
-/// above.
-[[nodiscard]] Result<std::vector<Silhouette>> silhouette_readings(const Drawing& drawing,
-                                                                  const SilhouetteOptions& options = {});
-[[nodiscard]] Result<std::vector<Silhouette>> silhouette_readings(const GrayImage& page,
-                                                                  const SilhouetteOptions& options = {});
 
 }  // namespace core

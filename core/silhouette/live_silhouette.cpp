@@ -453,14 +453,6 @@ Result<Silhouette> LiveSilhouette::silhouette() const {
     return impl_->silhouette();
 }
 
-Result<std::vector<Silhouette>> LiveSilhouette::readings() const {
-    Result<Silhouette> one = silhouette();
-    if (!one) return unexpected(one.error());
-    std::vector<Silhouette> all;
-    all.push_back(std::move(*one));
-    return all;
-}
-
 std::uint64_t LiveSilhouette::rebuilds() const {
     return impl_->rebuilds + (impl_->near ? impl_->near->rebuilds() : 0);
 }

@@ -42,9 +42,6 @@ class LiveSilhouette {
     /// Of the drawing followed last. Errors of find_silhouette. Copies the object's pixels, 0.05 ms.
     [[nodiscard]] Result<Silhouette> silhouette() const;
 
-    /// The readings that compete for this drawing, best trusted first. One, as long as no drawing is doubtful to it.
-    [[nodiscard]] Result<std::vector<Silhouette>> readings() const;
-
     /// How often the raster was made anew.
     [[nodiscard]] std::uint64_t rebuilds() const;
 

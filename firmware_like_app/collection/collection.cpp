@@ -61,14 +61,14 @@ std::vector<std::string> Collection::warnings() const {
     return sentences;
 }
 
-std::vector<RankedModel> Collection::rank(const core::ComparableShape& query, RankBy by, int jobs,
+std::vector<RankedModel> Collection::rank(std::span<const core::ComparableShape> readings, RankBy by, int jobs,
                                           std::stop_token stop) const {
-    return rank_models(models_, {.readings = {&query, 1}, .jobs = jobs, .stop = std::move(stop)}, by);
+    return rank_models(models_, {.readings = readings, .jobs = jobs, .stop = std::move(stop)}, by);
 }
 
-std::vector<RankedModel> Collection::nearest(const core::ComparableShape& query, std::size_t count, int jobs,
-                                             std::stop_token stop) const {
-    return nearest_models(models_, {.readings = {&query, 1}, .jobs = jobs, .stop = std::move(stop)}, count);
+std::vector<RankedModel> Collection::nearest(std::span<const core::ComparableShape> readings, std::size_t count,
+                                             int jobs, std::stop_token stop) const {
+    return nearest_models(models_, {.readings = readings, .jobs = jobs, .stop = std::move(stop)}, count);
 }
 
 }  // namespace app

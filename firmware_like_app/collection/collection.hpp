@@ -26,12 +26,12 @@ class Collection {
     /// those of another distance.
     [[nodiscard]] const std::optional<core::NearestLists>& likeness() const { return likeness_; }
 
-    /// rank_models for one drawing.
-    [[nodiscard]] std::vector<RankedModel> rank(const core::ComparableShape& query, RankBy by, int jobs,
+    /// rank_models for one drawing, in all its readings.
+    [[nodiscard]] std::vector<RankedModel> rank(std::span<const core::ComparableShape> readings, RankBy by, int jobs,
                                                 std::stop_token stop = {}) const;
-    /// nearest_models for one drawing.
-    [[nodiscard]] std::vector<RankedModel> nearest(const core::ComparableShape& query, std::size_t count, int jobs,
-                                                   std::stop_token stop = {}) const;
+    /// nearest_models for one drawing, in all its readings.
+    [[nodiscard]] std::vector<RankedModel> nearest(std::span<const core::ComparableShape> readings, std::size_t count,
+                                                   int jobs, std::stop_token stop = {}) const;
 
   private:
     std::vector<CollectionModel> models_;

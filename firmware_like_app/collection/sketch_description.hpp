@@ -1,9 +1,12 @@
 #pragma once
 // From a drawing or a picture to its silhouette and both descriptors, with the time each step took.
 
+#include <vector>
+
 #include "core/base/result.hpp"
 #include "core/contour/contour_descriptor.hpp"
 #include "core/exchange/sketch_reader.hpp"
+#include "core/fusion/fused_match.hpp"
 #include "core/parts/describe.hpp"
 #include "core/silhouette/closing.hpp"
 
@@ -31,11 +34,24 @@ struct SketchDescription {
                                                                   double silhouette_ms,
                                                                   const core::ShapeParameters& parameters = {});
 
+/// The same of the readings of one drawing (core/silhouette/drawing_readings.hpp), in order, which together took that
+/// long to make: the time is told by the first. Those after the first that cannot be described are left out.
+[[nodiscard]] core::Result<std::vector<SketchDescription>> describe_silhouettes(
+    const std::vector<core::Silhouette>& readings, double silhouette_ms, const core::ShapeParameters& parameters = {});
+/// All readings of a drawing or picture, the one of describe_sketch first.
+[[nodiscard]] core::Result<std::vector<SketchDescription>> describe_readings(
+    const core::Sketch& sketch, const core::ShapeParameters& parameters = {});
+
 /// A picture, a drawing, or what a pen drew in a trace or a tablet's recording. UnknownFormat naming what can be read.
 [[nodiscard]] core::Result<core::Sketch> read_any_sketch(const std::string& path_spec);
 
 /// Reads and describes a file; the path stands in the error's `where`.
 [[nodiscard]] core::Result<SketchDescription> describe_file(const std::string& path_spec,
                                                             const core::ShapeParameters& parameters = {});
+[[nodiscard]] core::Result<std::vector<SketchDescription>> describe_file_readings(
+    const std::string& path_spec, const core::ShapeParameters& parameters = {});
+
+/// Made ready for a search.
+[[nodiscard]] std::vector<core::ComparableShape> comparable(const std::vector<SketchDescription>& readings);
 
 }  // namespace app

@@ -79,27 +79,31 @@ SearchAnswer SketchSearcher::search(const core::Drawing& drawing, std::stop_toke
     SearchAnswer answer;
     const Stopwatch silhouette_watch;
     live_.follow(drawing);
-    const core::Result<core::Silhouette> silhouette = live_.silhouette();
-    if (!silhouette) {
+    const core::Result<std::vector<core::Silhouette>> silhouettes = live_.readings();
+    if (!silhouettes) {
         answer.message_key = "too_little";
         return answer;
     }
-    const core::Result<SketchDescription> query = describe_silhouette(*silhouette, silhouette_watch.ms());
-    if (!query) {
+    const core::Result<std::vector<SketchDescription>> readings =
+        describe_silhouettes(*silhouettes, silhouette_watch.ms());
+    if (!readings) {
         answer.message_key = "too_little";
         return answer;
     }
-    answer.silhouette_ms = query->silhouette_ms;
-    answer.describe_ms = query->describe_ms;
+    for (const SketchDescription& reading : *readings) {
+        answer.silhouette_ms += reading.silhouette_ms;
+        answer.describe_ms += reading.describe_ms;
+    }
     const Stopwatch watch;
-    const core::ComparableShape shape = core::comparable(query->shape.descriptor, query->contour);
+    const std::vector<core::ComparableShape> shapes = comparable(*readings);
     const std::vector<RankedModel> ranked =
-        collection_.nearest(shape, static_cast<std::size_t>(best_count_), jobs_, stop);
+        collection_.nearest(shapes, static_cast<std::size_t>(best_count_), jobs_, stop);
     if (stop.stop_requested()) return answer;
     for (const RankedModel& r : ranked) {
         const CollectionModel& model = collection_.models()[r.model];
         const auto view = static_cast<std::size_t>(r.view);
-        const core::Match match = matcher_.match(shape.parts, model.views[view].parts);
+        const auto reading = static_cast<std::size_t>(r.reading);
+        const core::Match match = matcher_.match(shapes[reading].parts, model.views[view].parts);
         FoundModel found;
         found.id = model.record.id;
         found.name = model.record.name;
@@ -107,7 +111,7 @@ SearchAnswer SketchSearcher::search(const core::Drawing& drawing, std::stop_toke
         found.distance = r.distance;
         found.camera = model.record.views[view].camera;
         found.mirrored = match.reversed;
-        found.parts = parts_of(match, *query, model.record.views[view].descriptor);
+        found.parts = parts_of(match, (*readings)[reading], model.record.views[view].descriptor);
         answer.best.push_back(std::move(found));
     }
     answer.search_ms = watch.ms();

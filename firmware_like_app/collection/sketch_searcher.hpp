@@ -5,7 +5,7 @@
 #include <list>
 #include <memory>
 
-#include "core/silhouette/live_silhouette.hpp"
+#include "core/silhouette/drawing_readings.hpp"
 #include "db/stores/two_view_index.hpp"
 #include "firmware_like_app/collection/collection.hpp"
 #include "firmware_like_app/kiosk/searcher.hpp"
@@ -31,7 +31,7 @@ class SketchSearcher : public Searcher {
     int jobs_;
     int best_count_;
     core::Matcher matcher_;
-    core::LiveSilhouette live_;  // follows the drawing from search to search
+    core::LiveReadings live_;  // follows the drawing from search to search
     std::list<std::pair<std::int64_t, std::shared_ptr<const core::TriangleMesh>>> meshes_;  // newest first
 };
 

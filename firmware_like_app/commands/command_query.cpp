@@ -34,30 +34,43 @@ struct Answer {
     double search_ms = 0.0;
 };
 
-std::vector<RankedModel> reranked_by(const Collection& collection, const core::ComparableShape& shape,
+std::vector<RankedModel> reranked_by(const Collection& collection, const std::vector<core::ComparableShape>& readings,
                                      const QueryOptions& options) {
     const core::QueryReranker reranker(core::neighbour_graph(*collection.likeness()), options.jobs);
-    std::vector<RankedModel> ranked = reranked(reranker, collection.rank(shape, RankBy::Fused, options.jobs));
+    std::vector<RankedModel> ranked = reranked(reranker, collection.rank(readings, RankBy::Fused, options.jobs));
     ranked.resize(std::min(ranked.size(), static_cast<std::size_t>(options.top)));
     return ranked;
 }
 
-Answer search(const SketchDescription& query, const Collection& collection, const QueryOptions& options) {
+Answer search(const std::vector<SketchDescription>& query, const Collection& collection, const QueryOptions& options) {
     const Stopwatch watch;
-    const core::ComparableShape shape = core::comparable(query.shape.descriptor, query.contour);
+    const std::vector<core::ComparableShape> readings = comparable(query);
     Answer answer;
-    answer.ranked = options.rerank ? reranked_by(collection, shape, options)
-                                   : collection.nearest(shape, static_cast<std::size_t>(options.top), options.jobs);
+    answer.ranked = options.rerank ? reranked_by(collection, readings, options)
+                                   : collection.nearest(readings, static_cast<std::size_t>(options.top), options.jobs);
     core::Matcher matcher;
     for (const RankedModel& r : answer.ranked) {
         answer.matches.push_back(
-            matcher.match(shape.parts, collection.models()[r.model].views[static_cast<std::size_t>(r.view)].parts));
+            matcher.match(readings[static_cast<std::size_t>(r.reading)].parts,
+                          collection.models()[r.model].views[static_cast<std::size_t>(r.view)].parts));
     }
     answer.search_ms = watch.ms();
     return answer;
 }
 
-void print_json(const Answer& answer, const Collection& collection, const SketchDescription& query) {
+/// Of all readings together.
+struct DescriptionTimes {
+    double silhouette_ms = 0.0, describe_ms = 0.0;
+
+    explicit DescriptionTimes(const std::vector<SketchDescription>& readings) {
+        for (const SketchDescription& reading : readings) {
+            silhouette_ms += reading.silhouette_ms;
+            describe_ms += reading.describe_ms;
+        }
+    }
+};
+
+void print_json(const Answer& answer, const Collection& collection, const DescriptionTimes& times) {
     ordered_json results = ordered_json::array();
     for (std::size_t k = 0; k < answer.ranked.size(); ++k) {
         const RankedModel& r = answer.ranked[k];
@@ -73,21 +86,23 @@ void print_json(const Answer& answer, const Collection& collection, const Sketch
                            {"view", r.view},
                            {"id", model.id},
                            {"mirrored", answer.matches[k].reversed},
+                           {"reading", r.reading},
                            {"parts", parts}});
     }
     const ordered_json out{
         {"results", results},
-        {"ms", {{"silhouette", query.silhouette_ms}, {"describe", query.describe_ms}, {"search", answer.search_ms}}}};
+        {"ms", {{"silhouette", times.silhouette_ms}, {"describe", times.describe_ms}, {"search", answer.search_ms}}}};
     std::printf("%s\n", out.dump().c_str());
 }
 
-core::Result<void> draw(const Answer& answer, const Collection& collection, const core::ShapeDescriptor& query,
+core::Result<void> draw(const Answer& answer, const Collection& collection, const std::vector<SketchDescription>& query,
                         const std::string& path) {
     std::vector<ui::MatchPictureItem> items;
     for (std::size_t k = 0; k < answer.ranked.size(); ++k) {
         const RankedModel& r = answer.ranked[k];
         const db::ModelRecord& model = collection.models()[r.model].record;
-        items.push_back({&query, &model.views[static_cast<std::size_t>(r.view)].descriptor, &answer.matches[k],
+        items.push_back({&query[static_cast<std::size_t>(r.reading)].shape.descriptor,
+                         &model.views[static_cast<std::size_t>(r.view)].descriptor, &answer.matches[k],
                          std::to_string(k + 1) + ".",
                          model.name + (model.class_name.empty() ? "" : " (" + model.class_name + ")")});
     }
@@ -110,20 +125,21 @@ void run_query(const QueryOptions& options, CommandState& state) {
                             "--graph on its models",
                             options.database});
     }
-    const core::Result<SketchDescription> query = describe_file(options.sketch);
+    const core::Result<std::vector<SketchDescription>> query = describe_file_readings(options.sketch);
     if (!query) return fail(state, query.error());
     const Answer answer = search(*query, *collection, options);
     if (!options.picture.empty()) {
-        const auto written = draw(answer, *collection, query->shape.descriptor, options.picture);
+        const auto written = draw(answer, *collection, *query, options.picture);
         if (!written) return fail(state, written.error());
     }
-    if (options.json) return print_json(answer, *collection, *query);
+    const DescriptionTimes times(*query);
+    if (options.json) return print_json(answer, *collection, times);
     for (std::size_t k = 0; k < answer.ranked.size(); ++k) {
         const db::ModelRecord& model = collection->models()[answer.ranked[k].model].record;
         std::printf("%3zu  %-28s %-16s %8.3f\n", k + 1, model.name.c_str(), model.class_name.c_str(),
                     answer.ranked[k].distance);
     }
-    std::printf("silhouette %.1f ms, description %.1f ms, search %.1f ms\n", query->silhouette_ms, query->describe_ms,
+    std::printf("silhouette %.1f ms, description %.1f ms, search %.1f ms\n", times.silhouette_ms, times.describe_ms,
                 answer.search_ms);
 }
 

@@ -24,27 +24,51 @@ core::Result<core::LabelledList> read_list(const EvalOptions& options) {
     return list;
 }
 
-DescribedList describe_list(const std::vector<core::LabelledFile>& files, int jobs) {
-    std::vector<std::optional<core::ComparableShape>> shapes(files.size());
-    std::vector<std::string> why(files.size());
-    core::parallel_for(files.size(), jobs, [&](std::size_t i, int) {
-        const core::Result<SketchDescription> d = describe_file(files[i].path);
-        if (d) {
-            shapes[i] = core::comparable(d->shape.descriptor, d->contour);
-        } else {
-            why[i] = d.error().sentence();
-        }
-    });
-    DescribedList out;
+namespace {
+
+/// What `describe` makes of the files, in their order; what it cannot describe goes to `failures` and standard error.
+template <typename Described, typename Describe>
+std::vector<Described> describe_all(const std::vector<core::LabelledFile>& files, int jobs, const Describe& describe,
+                                    std::vector<std::string>& classes, std::vector<std::string>& failures) {
+    std::vector<std::optional<core::Result<Described>>> found(files.size());
+    core::parallel_for(files.size(), jobs, [&](std::size_t i, int) { found[i].emplace(describe(files[i].path)); });
+    std::vector<Described> out;
     for (std::size_t i = 0; i < files.size(); ++i) {
-        if (!shapes[i]) {
-            out.failures.push_back(why[i]);
+        if (!*found[i]) {
+            failures.push_back(found[i]->error().sentence());
+            std::fprintf(stderr, "croquis: %s\n", failures.back().c_str());
             continue;
         }
-        out.classes.push_back(files[i].class_name);
-        out.shapes.push_back(std::move(*shapes[i]));
+        classes.push_back(files[i].class_name);
+        out.push_back(std::move(**found[i]));
     }
-    for (const std::string& failure : out.failures) std::fprintf(stderr, "croquis: %s\n", failure.c_str());
+    return out;
+}
+
+core::Result<core::ComparableShape> shape_of(const std::string& path) {
+    const core::Result<SketchDescription> d = describe_file(path);
+    if (!d) return core::unexpected(d.error());
+    return core::comparable(d->shape.descriptor, d->contour);
+}
+
+core::Result<std::vector<core::ComparableShape>> readings_of(const std::string& path) {
+    const core::Result<std::vector<SketchDescription>> readings = describe_file_readings(path);
+    if (!readings) return core::unexpected(readings.error());
+    return comparable(*readings);
+}
+
+}  // namespace
+
+DescribedList describe_list(const std::vector<core::LabelledFile>& files, int jobs) {
+    DescribedList out;
+    out.shapes = describe_all<core::ComparableShape>(files, jobs, shape_of, out.classes, out.failures);
+    return out;
+}
+
+DescribedSketches describe_sketches(const std::vector<core::LabelledFile>& files, int jobs) {
+    DescribedSketches out;
+    out.sketches =
+        describe_all<std::vector<core::ComparableShape>>(files, jobs, readings_of, out.classes, out.failures);
     return out;
 }
 

@@ -36,6 +36,14 @@ struct DescribedList {
 /// Those that cannot be described are named on standard error.
 [[nodiscard]] DescribedList describe_list(const std::vector<core::LabelledFile>& files, int jobs);
 
+/// The described drawings of a list, in its order, each in all its readings.
+struct DescribedSketches {
+    std::vector<std::string> classes;
+    std::vector<std::vector<core::ComparableShape>> sketches;
+    std::vector<std::string> failures;
+};
+[[nodiscard]] DescribedSketches describe_sketches(const std::vector<core::LabelledFile>& files, int jobs);
+
 /// The index, its warnings on standard error. FileMissing where it has no models.
 [[nodiscard]] core::Result<Collection> load_for_eval(const std::string& database);
 

@@ -22,7 +22,7 @@ struct Row {
 
 class SketchTest {
   public:
-    SketchTest(const DescribedList& queries, const Collection& collection, int jobs)
+    SketchTest(const DescribedSketches& queries, const Collection& collection, int jobs)
         : queries_(queries), collection_(collection), jobs_(jobs) {
         for (const CollectionModel& m : collection.models()) ++class_size_[m.record.class_name];
         if (collection.likeness()) reranker_.emplace(core::neighbour_graph(*collection.likeness()), jobs);
@@ -31,9 +31,9 @@ class SketchTest {
     std::vector<Row> run() const {
         std::vector<Row> rows{{"parts", {}}, {"fused", {}}};
         if (reranker_) rows.push_back({"reranked", {}});
-        for (std::size_t q = 0; q < queries_.shapes.size(); ++q) {
-            rows[0].metrics.push_back(metrics_of(q, collection_.rank(queries_.shapes[q], RankBy::Parts, jobs_)));
-            const std::vector<RankedModel> fused = collection_.rank(queries_.shapes[q], RankBy::Fused, jobs_);
+        for (std::size_t q = 0; q < queries_.sketches.size(); ++q) {
+            rows[0].metrics.push_back(metrics_of(q, collection_.rank(queries_.sketches[q], RankBy::Parts, jobs_)));
+            const std::vector<RankedModel> fused = collection_.rank(queries_.sketches[q], RankBy::Fused, jobs_);
             rows[1].metrics.push_back(metrics_of(q, fused));
             if (reranker_) rows[2].metrics.push_back(metrics_of(q, reranked(*reranker_, fused)));
         }
@@ -44,7 +44,7 @@ class SketchTest {
     [[nodiscard]] std::vector<double> times_ms() const {
         constexpr std::size_t kCards = 10;
         std::vector<double> ms;
-        for (const core::ComparableShape& query : queries_.shapes) {
+        for (const std::vector<core::ComparableShape>& query : queries_.sketches) {
             const Stopwatch watch;
             (void)collection_.nearest(query, kCards, jobs_);
             ms.push_back(watch.ms());
@@ -64,14 +64,14 @@ class SketchTest {
         return core::metrics_of_ranking(relevant, size == class_size_.end() ? 0 : size->second);
     }
 
-    const DescribedList& queries_;
+    const DescribedSketches& queries_;
     const Collection& collection_;
     int jobs_;
     std::map<std::string, int> class_size_;
     std::optional<core::QueryReranker> reranker_;
 };
 
-std::map<std::string, core::RetrievalMetrics> means_by_class(const DescribedList& queries, const Row& row) {
+std::map<std::string, core::RetrievalMetrics> means_by_class(const DescribedSketches& queries, const Row& row) {
     std::map<std::string, std::vector<core::RetrievalMetrics>> by_class;
     for (std::size_t q = 0; q < queries.classes.size(); ++q) by_class[queries.classes[q]].push_back(row.metrics[q]);
     std::map<std::string, core::RetrievalMetrics> means;
@@ -105,7 +105,7 @@ double percentile(std::vector<double> values, double share) {
 }
 
 struct Report {
-    const DescribedList& queries;
+    const DescribedSketches& queries;
     const Collection& collection;
     std::vector<Row> rows;
     std::vector<double> ms;
@@ -120,7 +120,7 @@ void print_json(const Report& report) {
         for (const auto& [name, mean] : by_class) classes[name][row.name] = to_json(mean);
         others[row.name] = to_json(mean_over_classes(by_class, without));
     }
-    const ordered_json out{{"queries", report.queries.shapes.size()},
+    const ordered_json out{{"queries", report.queries.sketches.size()},
                            {"models", report.collection.models().size()},
                            {"rows", rows},
                            {"by_class", classes},
@@ -135,7 +135,7 @@ void print_json(const Report& report) {
 
 void print_table(const Report& report) {
     std::printf("%zu sketches, %zu models; the first ten take %.1f ms (median), %.1f ms (p95), %.1f ms (p99)\n",
-                report.queries.shapes.size(), report.collection.models().size(), percentile(report.ms, 0.5),
+                report.queries.sketches.size(), report.collection.models().size(), percentile(report.ms, 0.5),
                 percentile(report.ms, 0.95), percentile(report.ms, 0.99));
     const std::string without = largest_class(report.collection);
     std::map<std::string, std::map<std::string, core::RetrievalMetrics>> by_class;
@@ -158,7 +158,7 @@ void run_eval_sketches(const EvalOptions& options, CommandState& state) {
     if (!list) return fail(state, list.error());
     const core::Result<Collection> collection = load_for_eval(options.database);
     if (!collection) return fail(state, collection.error());
-    const DescribedList queries = describe_list(list->files, options.jobs);
+    const DescribedSketches queries = describe_sketches(list->files, options.jobs);
     if (!queries.failures.empty()) state.exit_code = 1;
     const SketchTest test(queries, *collection, options.jobs);
     const Report report{queries, *collection, test.run(), test.times_ms()};

@@ -54,9 +54,9 @@ int main(int argc, char** argv) {
     if (!list) give_up(list.error());
     std::vector<double> cpu, real;
     for (const core::LabelledFile& file : list->files) {
-        const auto drawing = app::describe_file(file.path);
+        const auto drawing = app::describe_file_readings(file.path);
         if (!drawing) continue;
-        const core::ComparableShape query = core::comparable(drawing->shape.descriptor, drawing->contour);
+        const std::vector<core::ComparableShape> query = app::comparable(*drawing);
         const double before = cpu_ms();
         const app::Stopwatch watch;
         (void)collection->nearest(query, count, jobs);

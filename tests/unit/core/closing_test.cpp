@@ -227,20 +227,7 @@ TEST_CASE("a picture that is a silhouette already keeps its shape and loses hole
         CHECK(covers(*s, {75, 45}));
         CHECK_FALSE(covers(*s, {51, 30}));
         CHECK_FALSE(covers(*s, {115, 5}));
-        CHECK(core::silhouette_readings(page)->size() == 1);
     }
-}
-
-TEST_CASE("doubtful drawings have several readings, the plain one first", "[closing]") {
-    // Half open: only the widest reading fills it.
-    const Drawing open{{arc({0, 0}, 50, 25, 335)}};
-    const auto readings = core::silhouette_readings(open);
-    REQUIRE(readings);
-    REQUIRE(readings->size() >= 2);
-    CHECK((*readings)[0].image.pixels == core::silhouette_of(open)->pixels);
-    CHECK_FALSE(covers(readings->front(), {0, 0}));
-    CHECK(covers(readings->back(), {0, 0}));
-    CHECK(core::silhouette_readings(Drawing{}).error().code == core::ErrorCode::EmptyDrawing);
 }
 
 TEST_CASE("the raster maps to the drawing and back", "[closing]") {
