@@ -6,9 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/parallel.hpp"
-#include "firmware_like_app/collection/sketch_searcher.hpp"
+#include "firmware_like_app/collection/kept_collection.hpp"
 #include "firmware_like_app/commands/commands.hpp"
 #include "firmware_like_app/kiosk/kiosk.hpp"
+#include "firmware_like_app/kiosk/settings.hpp"
 #include "input/formats/any_ink.hpp"
 
 namespace app {
@@ -17,20 +18,34 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr int kRestart = 3;  // whoever started the program starts it again
+
 struct KioskCommandOptions {
-    std::string database, size, shots, record, language = "en";
+    std::string config, shots;
+    std::vector<std::string> settings;  ///< "section.name=value", those of the short options among them
     std::vector<std::string> replays;
-    bool windowed = false, headless = false, left_handed = false, json = false, early = false;
-    int jobs = core::core_count();
+    bool headless = false, json = false, early = false;
 };
 
-/// "1920x1080"
+/// "1920x1080", as the settings have checked it.
 std::optional<ui::SizePx> parse_size(const std::string& text) {
-    int width = 0, height = 0;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2) return std::nullopt;
-    if (width < 320 || height < 240 || width > 8192 || height > 8192) return std::nullopt;
-    return ui::SizePx{width, height};
+    ui::SizePx size;
+    if (std::sscanf(text.c_str(), "%dx%d", &size.width, &size.height) != 2) return std::nullopt;
+    return size;
+}
+
+/// The file, then what the call says.
+core::Result<Config> settings_of(const KioskCommandOptions& options) {
+    Config config;
+    if (!options.config.empty()) {
+        core::Result<Config> file = read_config(options.config);
+        if (!file) return file;
+        config = std::move(*file);
+    }
+    for (const std::string& setting : options.settings) {
+        if (const core::Result<void> set = set_option(config, setting); !set) return core::unexpected(set.error());
+    }
+    return config;
 }
 
 /// Drawings only: a picture has no strokes to replay.
@@ -44,29 +59,17 @@ core::Result<std::vector<NamedDrawing>> read_replays(const std::vector<std::stri
     return drawings;
 }
 
-/// A missing or damaged index is no reason not to open: the sheet works, and a calm screen says what is missing.
-std::unique_ptr<SketchSearcher> open_collection(const KioskCommandOptions& options, KioskOptions& kiosk) {
-    constexpr int kBest = 10;  // nine cards, and one more to know what is just below
-    if (options.database.empty()) {
-        kiosk.collection = CollectionState::Empty;
-        return nullptr;
-    }
-    core::Result<std::unique_ptr<SketchSearcher>> searcher =
-        SketchSearcher::open(options.database, options.jobs, kBest);
-    if (!searcher) {
-        std::fprintf(stderr, "croquis: %s\n", searcher.error().sentence().c_str());
-        kiosk.collection =
-            searcher.error().code == core::ErrorCode::FileMissing ? CollectionState::Missing : CollectionState::Damaged;
-        return nullptr;
-    }
-    for (const std::string& warning : (*searcher)->collection().warnings()) {
-        std::fprintf(stderr, "croquis: %s: %s\n", options.database.c_str(), warning.c_str());
-    }
-    if ((*searcher)->collection().models().empty()) {
-        kiosk.collection = CollectionState::Empty;
-        return nullptr;
-    }
-    return std::move(*searcher);
+/// What is wrong with the collection is no reason not to open: the sheet works, and a calm screen says what it is.
+std::unique_ptr<KeptCollection> open_collection(const Config& config) {
+    KeptCollection::Options options;
+    options.database = config.collection.database;
+    options.models = config.collection.models;
+    const auto threads = static_cast<int>(config.collection.search_threads);
+    options.jobs = threads > 0 ? threads : core::core_count();
+    auto collection = std::make_unique<KeptCollection>(std::move(options));
+    const CollectionStatus status = collection->status();
+    for (const std::string& problem : status.problems) std::fprintf(stderr, "croquis: %s\n", problem.c_str());
+    return collection;
 }
 
 /// What a replay found, in words.
@@ -139,28 +142,34 @@ void print_report(const KioskReport& report, bool as_json, bool early) {
 }
 
 void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) {
-    KioskOptions kiosk;
-    if (!options.size.empty()) {
-        kiosk.size = parse_size(options.size);
-        if (!kiosk.size) {
-            std::fprintf(stderr, "croquis: --size %s: give WIDTHxHEIGHT from 320x240 to 8192x8192\n",
-                         options.size.c_str());
-            state.exit_code = 2;
-            return;
-        }
+    const core::Result<Config> config = settings_of(options);
+    if (!config) {
+        fail(state, config.error());
+        if (config.error().code == core::ErrorCode::BadArgument) state.exit_code = 2;
+        return;
     }
-    kiosk.windowed = options.windowed;
+    KioskOptions kiosk;
+    kiosk.config = *config;
+    kiosk.config_file = options.config;
+    if (!config->screen.size.empty()) kiosk.size = parse_size(config->screen.size);
+    kiosk.windowed = config->screen.windowed;
+    kiosk.escape_exits = config->screen.escape_exits;
     kiosk.headless = options.headless;
     kiosk.end_after_replays = !options.replays.empty();
     kiosk.shots = options.shots;
-    kiosk.record = options.record;
     kiosk.early_looks = options.early;
-    kiosk.language = options.language;
-    if (options.left_handed) kiosk.hand = ui::Hand::Left;
+    kiosk.record = config->record.folder;
+    kiosk.language = config->visitors.language;
+    kiosk.languages_folder = config->visitors.languages_folder;
+    kiosk.hand = hand_of(*config);
+    kiosk.attract = config->visitors.attract;
+    kiosk.times = times_of(*config);
+    kiosk.expect_tablet = config->tablet.expected;
+    kiosk.pens = pens_of(*config);
     core::Result<std::vector<NamedDrawing>> replays = read_replays(options.replays);
     if (!replays) return fail(state, replays.error());
-    const std::unique_ptr<SketchSearcher> searcher = open_collection(options, kiosk);
-    const core::Result<KioskReport> report = run_kiosk(kiosk, searcher.get(), std::move(*replays));
+    const std::unique_ptr<KeptCollection> collection = open_collection(*config);
+    const core::Result<KioskReport> report = run_kiosk(kiosk, *collection, std::move(*replays));
     if (!report) {
         fail(state, report.error());
         if (report.error().code == core::ErrorCode::BadArgument) state.exit_code = 2;
@@ -172,6 +181,7 @@ void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) 
         std::fprintf(stderr, "croquis: %s: %s\n", r.name.c_str(), r.failure.c_str());
         state.exit_code = 1;
     }
+    if (report->restart) state.exit_code = kRestart;
 }
 
 }  // namespace
@@ -179,23 +189,54 @@ void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) 
 void add_kiosk_command(CLI::App& cli, CommandState& state) {
     auto options = std::make_shared<KioskCommandOptions>();
     CLI::App* command = cli.add_subcommand("kiosk", "The full-screen kiosk");
-    command->add_option("--db", options->database, "the index to search");
-    command->add_option("--size", options->size, "WIDTHxHEIGHT");
-    command->add_flag("--windowed", options->windowed, "a framed window instead of the full screen");
+    command->add_option("--config", options->config, "the settings of the station, a TOML file; see croquis config");
+    command->add_option("--set", options->settings, "one setting, section.name=value; wins over the file")
+        ->take_all()
+        ->expected(1);
+    const auto shorthand = [&](const char* name, const char* setting, const char* what) {
+        command->add_option_function<std::string>(
+            name,
+            [options, setting](const std::string& value) { options->settings.push_back(setting + ("=" + value)); },
+            what);
+    };
+    shorthand("--db", "collection.database", "the index to search");
+    shorthand("--models", "collection.models", "a folder of models that is read into the index while visitors draw");
+    shorthand("--size", "screen.size", "WIDTHxHEIGHT");
+    shorthand("--record", "record.folder", "folder for traces of what visitors draw");
+    shorthand("--language", "visitors.language", "en, fr, de or the code of a further language file");
+    shorthand("--jobs", "collection.search_threads", "search threads");
+    command->add_flag_callback(
+        "--windowed", [options] { options->settings.push_back("screen.windowed=true"); },
+        "a framed window instead of the full screen");
+    command->add_flag_callback(
+        "--left", [options] { options->settings.push_back("visitors.hand=left"); },
+        "controls for a left-handed visitor");
     command->add_flag("--headless", options->headless, "render without a screen; ends when the replays do");
     command->add_option("--replay", options->replays,
                         "recorded drawings: traces, recordings of tablets, SVG, InkML, Quick-Draw lines, "
                         "stroke lists");
-    command->add_option("--record", options->record, "folder for traces of what visitors draw");
     command->add_option("--shots", options->shots, "folder for numbered pictures");
-    command->add_option("--language", options->language, "en, fr or de");
-    command->add_option("--jobs", options->jobs, "search threads")->check(CLI::PositiveNumber);
     command->add_flag(
         "--early", options->early,
         "headless: report how often the first result of the end is among ten at 40, 60 and 80 % of the ink");
-    command->add_flag("--left", options->left_handed, "controls for a left-handed visitor");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &state] { run_kiosk_command(*options, state); });
+}
+
+void add_config_command(CLI::App& cli, CommandState& state) {
+    auto file = std::make_shared<std::string>();
+    CLI::App* command =
+        cli.add_subcommand("config", "Prints the settings of a station with their defaults, or checks a file of them");
+    command->add_option("FILE", *file, "a file to check");
+    command->callback([file, &state] {
+        if (file->empty()) {
+            std::printf("%s", default_config_text().c_str());
+            return;
+        }
+        const core::Result<Config> config = read_config(*file);
+        if (!config) return fail(state, config.error());
+        std::printf("%s: every setting is good\n", file->c_str());
+    });
 }
 
 }  // namespace app

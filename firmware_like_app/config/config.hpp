@@ -18,6 +18,7 @@ namespace app {
 struct Config {
     struct {
         std::string database;  ///< empty: none
+        std::string models;    ///< folder that is read at the start
         std::string add_from;  ///< folder in which the operator starts to look for models
         std::int64_t search_threads = 0;
     } collection;

@@ -39,6 +39,9 @@ std::vector<Option> make_options() {
     std::vector<Option> o;
     o.push_back(Option{"collection", "database", "The index to search, one file.",
                        Text([](Config& c) -> std::string& { return c.collection.database; })});
+    o.push_back(Option{"collection", "models",
+                       "A folder of models: what is new or changed in it is read at the start, while visitors draw.",
+                       Text([](Config& c) -> std::string& { return c.collection.models; })});
     o.push_back(Option{"collection", "add_from",
                        "Where the operator starts to look for models to add.\nEmpty: /media, where USB sticks appear.",
                        Text([](Config& c) -> std::string& { return c.collection.add_from; })});

@@ -21,6 +21,7 @@ constexpr std::array<int, 3> kEarly{40, 60, 80};
 constexpr std::size_t kEarlyShown = 10;
 constexpr std::int64_t kReplayRest_us = 2'500'000;  // in a window, for people to see the result
 constexpr ui::SizePx kDefaultSize{1920, 1080};
+constexpr std::int64_t kCollectionLook_us = 250'000;
 
 double ms_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -40,13 +41,14 @@ std::string file_part(const std::string& name) {
 class Loop {
   public:
     Loop(const KioskOptions& options, std::vector<NamedDrawing> replays, Surface& surface, FindMode& find, Shell& shell,
-         PenDesk& pens)
+         PenDesk& pens, CollectionHost& collection)
         : options_(options),
           replays_(std::move(replays)),
           surface_(surface),
           find_(find),
           shell_(shell),
           pens_(pens),
+          collection_(collection),
           player_(replays_, options.headless ? 0 : kReplayRest_us),
           recorder_(options.record) {
         report_.renderer = ui::renderer_name();
@@ -102,8 +104,10 @@ class Loop {
         using Kind = ui::WindowEvent::Kind;
         switch (event.kind) {
             case Kind::Close:
-            case Kind::Escape:
                 ended_ = true;
+                break;
+            case Kind::Escape:
+                ended_ = ended_ || options_.escape_exits;
                 break;
             case Kind::Resized:
                 shell_.resize(surface_.size(), event.time_us);
@@ -136,9 +140,17 @@ class Loop {
 
     void update() {
         if (!options_.record.empty()) note_drawing();
+        look_at_collection();
         shell_.update(surface_.now_us());
-        shell_.update_ink();
+        if (surface_.shows_frames()) shell_.update_ink();
         if (!options_.headless && find_.sketch().empty()) record();
+    }
+
+    void look_at_collection() {
+        if (surface_.now_us() - collection_seen_us_ < kCollectionLook_us) return;
+        collection_seen_us_ = surface_.now_us();
+        const CollectionStatus status = collection_.status();
+        shell_.set_collection(status.state, {status.done, status.total, status.minutes_left}, surface_.now_us());
     }
 
     void note_drawing() {
@@ -275,6 +287,8 @@ class Loop {
     FindMode& find_;
     Shell& shell_;
     PenDesk& pens_;
+    CollectionHost& collection_;
+    std::int64_t collection_seen_us_ = -kCollectionLook_us;
     ReplayPlayer player_;
     DrawingRecorder recorder_;
     core::Drawing last_drawing_;
@@ -319,7 +333,7 @@ core::Result<void> make_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
-core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searcher,
+core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost& collection,
                                     std::vector<NamedDrawing> replays) {
     if (options.headless && replays.empty() && options.shots.empty()) {
         return core::unexpected(core::ErrorCode::BadArgument,
@@ -328,7 +342,7 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searc
     for (const std::filesystem::path& folder : {options.shots, options.record}) {
         if (const core::Result<void> made = make_folder(folder); !made) return core::unexpected(made.error());
     }
-    core::Result<std::vector<ui::Strings>> languages = ui::Strings::load_all();
+    core::Result<std::vector<ui::Strings>> languages = ui::Strings::load_all(options.languages_folder);
     if (!languages) return core::unexpected(languages.error());
     const auto language = std::find_if(languages->begin(), languages->end(),
                                        [&](const ui::Strings& s) { return s.code() == options.language; });
@@ -346,26 +360,30 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searc
     find_options.hand = options.hand;
     find_options.every_frame_seen = !options.headless;
     find_options.search_while_drawing = !options.headless;
-    LiveSearcher shared(std::shared_ptr<Searcher>(searcher, [](Searcher*) {}));  // two threads ask
     core::Result<std::unique_ptr<FindMode>> find =
-        FindMode::create(*fonts, *languages, searcher != nullptr ? &shared : nullptr, find_options, (*surface)->size());
+        FindMode::create(*fonts, *languages, &collection.searcher(), find_options, (*surface)->size());
     if (!find) return core::unexpected(find.error());
     ShellOptions shell_options;
     shell_options.times = options.times;
-    shell_options.collection = options.collection;
+    shell_options.collection = collection.status().state;
     shell_options.language = find_options.language;
     shell_options.hand = options.hand;
-    shell_options.attract = options.attract && searcher != nullptr;
+    shell_options.attract = options.attract;
     shell_options.every_frame_seen = !options.headless;
-    core::Result<std::unique_ptr<Shell>> shell =
-        Shell::create(*fonts, *languages, **find, searcher != nullptr ? &shared : nullptr, shell_options,
-                      (*surface)->size(), (*surface)->now_us());
+    core::Result<std::unique_ptr<Shell>> shell = Shell::create(*fonts, *languages, **find, &collection.searcher(),
+                                                               shell_options, (*surface)->size(), (*surface)->now_us());
     if (!shell) return core::unexpected(shell.error());
     if (options.expect_tablet) (*shell)->expect_tablet((*surface)->now_us());
     input::DeviceNumbers numbers;
     core::Result<std::unique_ptr<PenDesk>> pens = open_pens(options, numbers);
     if (!pens) return core::unexpected(pens.error());
-    return Loop(options, std::move(replays), **surface, **find, **shell, **pens).run();
+    return Loop(options, std::move(replays), **surface, **find, **shell, **pens, collection).run();
+}
+
+core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searcher,
+                                    std::vector<NamedDrawing> replays) {
+    FixedCollection collection(searcher, options.collection);
+    return run_kiosk(options, collection, std::move(replays));
 }
 
 }  // namespace app

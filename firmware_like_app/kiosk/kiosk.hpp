@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "firmware_like_app/config/config.hpp"
+#include "firmware_like_app/kiosk/collection_host.hpp"
 #include "firmware_like_app/kiosk/pen_desk.hpp"
 #include "firmware_like_app/kiosk/replay_player.hpp"
 #include "firmware_like_app/kiosk/searcher.hpp"
@@ -33,9 +35,13 @@ struct KioskOptions {
     ui::Hand hand = ui::Hand::Right;
     CollectionState collection = CollectionState::Ready;  ///< other than ready: a calm screen says so
     StationTimes times;
-    bool attract = true;         ///< false: an empty sheet waits for visitors
-    bool expect_tablet = false;  ///< say so when none is there; one that was there once is always expected
-    bool early_looks = false;    ///< headless: also search when 40, 60 and 80 % of a replay's ink are drawn
+    bool attract = true;           ///< false: an empty sheet waits for visitors
+    bool expect_tablet = false;    ///< say so when none is there; one that was there once is always expected
+    bool early_looks = false;      ///< headless: also search when 40, 60 and 80 % of a replay's ink are drawn
+    bool escape_exits = true;      ///< the Escape key ends the program
+    std::string languages_folder;  ///< with further language files
+    Config config;                 ///< what the operator sees and changes
+    std::string config_file;       ///< where that is kept; empty: until the program ends
 };
 
 /// What came of one replayed drawing.
@@ -60,12 +66,16 @@ struct KioskReport {
     std::uint64_t pen_reports_lost = 0;  ///< that a full queue refused
     std::vector<std::string> problems;   ///< with tablets, in sentences for people; at most 100
     std::string renderer;                ///< what draws, as GL names it
+    bool restart = false;                ///< the operator asked for a new start
 };
 
 /// Runs until the window is closed, Escape is pressed, or (headless or end_after_replays) the replays end.
-/// `searcher` may be null: the sheet works and nothing is found. Headless, the loop waits for the search after each
-/// stroke and at each picture, so two runs give the same pictures. Errors: NoDisplay, FileMissing (fonts),
+/// A collection that is not ready: the sheet works and nothing is found. Headless, the loop waits for the search after
+/// each stroke and at each picture, so two runs give the same pictures. Errors: NoDisplay, FileMissing (fonts),
 /// BadArgument (unknown language, headless without replays or shots), WriteFailed (shots, record).
+[[nodiscard]] core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost& collection,
+                                                  std::vector<NamedDrawing> replays);
+/// The same on a collection that never changes; `searcher` may be null.
 [[nodiscard]] core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searcher,
                                                   std::vector<NamedDrawing> replays);
 

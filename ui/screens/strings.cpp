@@ -1,6 +1,9 @@
 #include "ui/screens/strings.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -33,12 +36,41 @@ core::Result<Strings> Strings::parse(std::string_view json, std::string file) {
     return strings;
 }
 
-core::Result<std::vector<Strings>> Strings::load_all() {
+namespace {
+
+/// The JSON files of a folder with their contents, by name.
+core::Result<std::map<std::string, std::string>> files_of(const std::string& folder) {
+    std::map<std::string, std::string> files;
+    if (folder.empty()) return files;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        if (entry.path().extension() != ".json") continue;
+        std::ifstream in(entry.path(), std::ios::binary);
+        files[entry.path().string()] = {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    }
+    if (!error) return files;
+    return core::unexpected(core::ErrorCode::FileMissing, "the folder of language files cannot be read", folder);
+}
+
+}  // namespace
+
+core::Result<std::vector<Strings>> Strings::load_all(const std::string& folder) {
     std::vector<Strings> all;
-    for (const EmbeddedFile& file : string_files()) {
-        core::Result<Strings> strings = parse(file.content, std::string(file.name));
+    const auto add = [&all](std::string_view json, std::string file) -> core::Result<void> {
+        core::Result<Strings> strings = parse(json, std::move(file));
         if (!strings) return core::unexpected(strings.error());
+        std::erase_if(all, [&](const Strings& s) { return s.code() == strings->code(); });
         all.push_back(std::move(*strings));
+        return {};
+    };
+    for (const EmbeddedFile& file : string_files()) {
+        if (const core::Result<void> added = add(file.content, std::string(file.name)); !added)
+            return core::unexpected(added.error());
+    }
+    const core::Result<std::map<std::string, std::string>> files = files_of(folder);
+    if (!files) return core::unexpected(files.error());
+    for (const auto& [file, json] : *files) {
+        if (const core::Result<void> added = add(json, file); !added) return core::unexpected(added.error());
     }
     std::stable_sort(all.begin(), all.end(), [](const Strings& a, const Strings& b) { return a.order_ < b.order_; });
     return all;
