@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <tuple>
 #include <utility>
 
 #include "core/base/checksum.hpp"
@@ -93,12 +94,10 @@ void bind_with_checksum(Statement& statement, const Blob& blob) {
     statement.bind(BlobView(blob)).bind(checksum_of(blob));
 }
 
-/// The blob in `column`, its checksum in the one after it.
 template <typename T>
-void read_blob(const Statement& row, int column, core::Result<T> (*decode)(BlobView), T& value, Damage damage,
-               std::vector<Damage>& damaged) {
-    const BlobView blob = row.blob(column);
-    if (checksum_of(blob) != static_cast<std::uint64_t>(row.integer(column + 1))) {
+void decode_blob(BlobView blob, std::uint64_t checksum, core::Result<T> (*decode)(BlobView), T& value, Damage damage,
+                 std::vector<Damage>& damaged) {
+    if (checksum_of(blob) != checksum) {
         damage.message = kNotAsWritten;
         damaged.push_back(std::move(damage));
         return;
@@ -252,46 +251,87 @@ std::pair<ModelRecord, bool> record_of(std::int64_t id, const Statement& row) {
 
 }  // namespace
 
-std::optional<ModelRecord> ModelReader::read(std::int64_t id, std::vector<Damage>& damaged) {
+std::optional<StoredModel> ModelReader::fetch(std::int64_t id, std::vector<Damage>& damaged) {
     const core::Result<bool> row = model_.bind(id).step();
     if (!row) {
         damaged.push_back({id, {}, "record", row.error().message});
         return std::nullopt;
     }
     if (!*row) return std::nullopt;
-    auto [model, sound] = record_of(id, model_);
+    StoredModel stored;
+    std::tie(stored.record, stored.sound) = record_of(id, model_);
     build_id_ = model_.integer(5);
     model_.reset();
-    if (!sound) damaged.push_back({id, model.name, "record", kNotAsWritten});
-    for (int number = 0; number < 2; ++number) read_view(number, model, damaged);
-    return std::move(model);
+    for (int number = 0; number < 2; ++number) {
+        stored.views[static_cast<std::size_t>(number)] = fetch_view(id, number);
+    }
+    return stored;
 }
 
-void ModelReader::read_view(int number, ModelRecord& model, std::vector<Damage>& damaged) {
+std::optional<ModelRecord> ModelReader::read(std::int64_t id, std::vector<Damage>& damaged) {
+    std::optional<StoredModel> stored = fetch(id, damaged);
+    if (!stored) return std::nullopt;
+    return decode_model(std::move(*stored), damaged);
+}
+
+StoredModel::StoredView ModelReader::fetch_view(std::int64_t id, int number) {
+    StoredModel::StoredView view;
+    const core::Result<bool> row = view_.bind(id).bind(number).step();
+    if (!row || !*row) {
+        view.fault = row ? "it is missing; build the model again" : row.error().message;
+        return view;
+    }
+    view.camera_number = view_.integer(0);
+    view.skeletal_length = view_.real(1);
+    view.asymmetry = view_.real(2);
+    view.checksum = static_cast<std::uint64_t>(view_.integer(3));
+    int column = 4;
+    for (StoredModel::StoredBlob* blob : {&view.camera, &view.outline, &view.descriptor, &view.contour}) {
+        const BlobView bytes = view_.blob(column);
+        blob->bytes.assign(bytes.begin(), bytes.end());
+        blob->checksum = static_cast<std::uint64_t>(view_.integer(column + 1));
+        column += 2;
+    }
+    view_.reset();
+    return view;
+}
+
+namespace {
+
+void decode_view(const StoredModel::StoredView& stored, int number, ModelRecord& model, std::vector<Damage>& damaged) {
     const std::string label = "view " + std::to_string(number);
     const auto damage = [&](const std::string& part, const std::string& message = {}) {
         return Damage{model.id, model.name, part, message};
     };
-    const core::Result<bool> row = view_.bind(model.id).bind(number).step();
-    if (!row || !*row) {
-        damaged.push_back(damage(label, row ? "it is missing; build the model again" : row.error().message));
+    if (!stored.fault.empty()) {
+        damaged.push_back(damage(label, stored.fault));
         return;
     }
     ModelView& view = model.views[static_cast<std::size_t>(number)];
-    const std::int64_t camera_number = view_.integer(0);
-    view.camera_number = static_cast<int>(camera_number);
-    view.skeletal_length = view_.real(1);
-    view.asymmetry = view_.real(2);
-    const bool sound = camera_number == view.camera_number && view.camera_number >= 0;
-    if (!sound || checksum_of_view(view) != static_cast<std::uint64_t>(view_.integer(3))) {
-        damaged.push_back(damage(label, kNotAsWritten));
-    }
-    read_blob(view_, 4, decode_camera, view.camera, damage("camera of " + label), damaged);
-    read_blob(view_, 6, decode_polygon, view.outline, damage("outline of " + label), damaged);
-    read_blob(view_, 8, decode_descriptor, view.descriptor, damage("descriptor of " + label), damaged);
-    read_blob(view_, 10, decode_contour, view.contour, damage("contour of " + label), damaged);
-    view_.reset();
+    view.camera_number = static_cast<int>(stored.camera_number);
+    view.skeletal_length = stored.skeletal_length;
+    view.asymmetry = stored.asymmetry;
+    const bool sound = stored.camera_number == view.camera_number && view.camera_number >= 0;
+    if (!sound || checksum_of_view(view) != stored.checksum) damaged.push_back(damage(label, kNotAsWritten));
+    const auto decode = [&](const StoredModel::StoredBlob& blob, auto decoder, auto& value, const std::string& part) {
+        decode_blob(blob.bytes, blob.checksum, decoder, value, damage(part + label), damaged);
+    };
+    decode(stored.camera, decode_camera, view.camera, "camera of ");
+    decode(stored.outline, decode_polygon, view.outline, "outline of ");
+    decode(stored.descriptor, decode_descriptor, view.descriptor, "descriptor of ");
+    decode(stored.contour, decode_contour, view.contour, "contour of ");
     if (view.outline.empty()) view.outline = view.descriptor.samples;
+}
+
+}  // namespace
+
+ModelRecord decode_model(StoredModel stored, std::vector<Damage>& damaged) {
+    ModelRecord model = std::move(stored.record);
+    if (!stored.sound) damaged.push_back({model.id, model.name, "record", kNotAsWritten});
+    for (int number = 0; number < 2; ++number) {
+        decode_view(stored.views[static_cast<std::size_t>(number)], number, model, damaged);
+    }
+    return model;
 }
 
 std::optional<core::TriangleMesh> ModelReader::read_mesh(std::int64_t id, const std::string& name,
@@ -304,7 +344,8 @@ std::optional<core::TriangleMesh> ModelReader::read_mesh(std::int64_t id, const 
     }
     core::TriangleMesh mesh;
     const std::size_t before = damaged.size();
-    read_blob(mesh_, 0, decode_mesh, mesh, {id, name, "display mesh", {}}, damaged);
+    decode_blob(mesh_.blob(0), static_cast<std::uint64_t>(mesh_.integer(1)), decode_mesh, mesh,
+                {id, name, "display mesh", {}}, damaged);
     mesh_.reset();
     if (damaged.size() > before) return std::nullopt;
     return mesh;

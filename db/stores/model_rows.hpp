@@ -29,12 +29,37 @@ class ModelWriter {
         forget_neighbours_;
 };
 
+/// A model's rows as they lie in the file, nothing of it decoded yet.
+struct StoredModel {
+    struct StoredBlob {
+        Blob bytes;
+        std::uint64_t checksum = 0;
+    };
+    struct StoredView {
+        std::string fault;  ///< why there is none; empty where there is
+        std::int64_t camera_number = 0;
+        double skeletal_length = 0.0, asymmetry = 0.0;
+        std::uint64_t checksum = 0;
+        StoredBlob camera, outline, descriptor, contour;
+    };
+    ModelRecord record;  ///< the plain columns
+    bool sound = true;   ///< these have their checksum
+    std::array<StoredView, 2> views;
+};
+
+/// The plain columns and both views; what is damaged is appended. Most of the time that reading a model takes, and for
+/// any thread.
+[[nodiscard]] ModelRecord decode_model(StoredModel stored, std::vector<Damage>& damaged);
+
 /// Reads models part by part, noting what is damaged and going on. Never throws a whole model away for its mesh.
 class ModelReader {
   public:
     [[nodiscard]] static core::Result<ModelReader> prepare(const Database& database);
 
-    /// The plain columns and both views; nothing if there is no such model. What is damaged is appended.
+    /// The rows of a model for decode_model; nothing if there is no such model, or its row cannot be read, which is
+    /// appended.
+    [[nodiscard]] std::optional<StoredModel> fetch(std::int64_t id, std::vector<Damage>& damaged);
+    /// Both in one.
     [[nodiscard]] std::optional<ModelRecord> read(std::int64_t id, std::vector<Damage>& damaged);
     [[nodiscard]] std::optional<core::TriangleMesh> read_mesh(std::int64_t id, const std::string& name,
                                                               std::vector<Damage>& damaged);
@@ -50,7 +75,7 @@ class ModelReader {
   private:
     explicit ModelReader(std::array<Statement, 4> statements);
     [[nodiscard]] bool is_view_whole(std::int64_t id, int number);
-    void read_view(int number, ModelRecord& model, std::vector<Damage>& damaged);
+    [[nodiscard]] StoredModel::StoredView fetch_view(std::int64_t id, int number);
 
     Statement model_, view_, mesh_, thumbnail_;
     std::int64_t build_id_ = 0;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/parallel.hpp"
 #include "db/migrations/migrations.hpp"
 #include "db/sqlite/transaction.hpp"
 #include "db/stores/model_rows.hpp"
@@ -144,7 +145,7 @@ core::Result<std::vector<ModelEntry>> TwoViewIndex::list() const {
     }
 }
 
-core::Result<LoadedModels> TwoViewIndex::load_views() const {
+core::Result<LoadedModels> TwoViewIndex::load_views(int jobs) const {
     core::Result<Transaction> moment = Transaction::begin(database_, Transaction::Kind::Read);
     if (!moment) return core::unexpected(moment.error());
     core::Result<Statement> ids = database_.prepare("SELECT id FROM model ORDER BY id");
@@ -152,14 +153,26 @@ core::Result<LoadedModels> TwoViewIndex::load_views() const {
     core::Result<ModelReader> reader = ModelReader::prepare(database_);
     if (!reader) return core::unexpected(reader.error());
     LoadedModels loaded;
+    std::vector<StoredModel> stored;
     for (;;) {
         const core::Result<bool> row = ids->step();
         if (!row) return core::unexpected(row.error());
-        if (!*row) return loaded;
-        const std::size_t before = loaded.damaged.size();
-        std::optional<ModelRecord> model = reader->read(ids->integer(0), loaded.damaged);
-        if (model && loaded.damaged.size() == before) loaded.models.push_back(std::move(*model));
+        if (!*row) break;
+        std::optional<StoredModel> model = reader->fetch(ids->integer(0), loaded.damaged);
+        if (model) stored.push_back(std::move(*model));
     }
+    std::vector<ModelRecord> models(stored.size());
+    std::vector<std::vector<Damage>> damaged(stored.size());
+    core::parallel_for(stored.size(), jobs,
+                       [&](std::size_t i, int) { models[i] = decode_model(std::move(stored[i]), damaged[i]); });
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        if (damaged[i].empty()) {
+            loaded.models.push_back(std::move(models[i]));
+        } else {
+            loaded.damaged.insert(loaded.damaged.end(), damaged[i].begin(), damaged[i].end());
+        }
+    }
+    return loaded;
 }
 
 core::Result<ModelRecord> TwoViewIndex::load(std::int64_t id) const {

@@ -142,8 +142,9 @@ class TwoViewIndex {
 
     /// All models in the order of ids, without blobs.
     [[nodiscard]] core::Result<std::vector<ModelEntry>> list() const;
-    /// What a search needs, of one moment. 1,000 models take some 150 ms of one core, most of it measuring their parts.
-    [[nodiscard]] core::Result<LoadedModels> load_views() const;
+    /// What a search needs, of one moment. 1,000 models take some 150 ms of one core, most of it measuring their parts,
+    /// which `jobs` threads share.
+    [[nodiscard]] core::Result<LoadedModels> load_views(int jobs = 1) const;
     /// One whole model, its mesh and thumbnails included. BadArgument if there is no such id.
     [[nodiscard]] core::Result<ModelRecord> load(std::int64_t id) const;
     /// BadArgument if there is no such id.

@@ -35,7 +35,7 @@ core::Result<Collection> Collection::load(const std::string& database, const cor
     const core::Result<db::TwoViewIndex> index =
         db::TwoViewIndex::open(database, db::OpenMode::ReadOnly, {.parameters = parameters_text(described_with)});
     if (!index) return core::unexpected(index.error());
-    core::Result<db::LoadedModels> loaded = index->load_views();
+    core::Result<db::LoadedModels> loaded = index->load_views(core::core_count());
     if (!loaded) return core::unexpected(loaded.error());
     core::Result<std::optional<std::string>> stale = index->stale();
     if (!stale) return core::unexpected(stale.error());

@@ -27,8 +27,8 @@ struct Contours {
     std::vector<std::array<core::MatchableContour, 2>> views;
 };
 
-core::Result<Contours> load_contours(const db::TwoViewIndex& index) {
-    const core::Result<db::LoadedModels> loaded = index.load_views();
+core::Result<Contours> load_contours(const db::TwoViewIndex& index, int jobs) {
+    const core::Result<db::LoadedModels> loaded = index.load_views(jobs);
     if (!loaded) return core::unexpected(loaded.error());
     Contours contours;
     for (const db::ModelRecord& model : loaded->models) {
@@ -189,7 +189,7 @@ core::Result<LikenessReport> update_likeness(db::TwoViewIndex& index, int jobs, 
     if (const core::Result<void> kept = index.keep_likeness(likeness_measure()); !kept) {
         return core::unexpected(kept.error());
     }
-    const core::Result<Contours> models = load_contours(index);
+    const core::Result<Contours> models = load_contours(index, std::max(1, jobs));
     if (!models) return core::unexpected(models.error());
     if (models->ids.empty()) return LikenessReport{};
     const core::Result<std::vector<db::NeighbourList>> stored = index.neighbour_lists();

@@ -79,6 +79,7 @@ db::ModelRecord variant(const db::ModelRecord& model, std::size_t number) {
     for (db::ModelView& view : out.views) {
         view.descriptor = warped(view.descriptor, warp);
         view.outline = view.descriptor.samples;
+        if (const auto contour = core::describe_contour(view.outline)) view.contour = *contour;
     }
     return out;
 }

@@ -24,7 +24,10 @@ inline std::string index_rows(const std::string& path) {
           "FROM view "
           "ORDER BY model_id, number",
           "SELECT model_id || ' ' || hex(mesh) FROM display_mesh ORDER BY model_id",
-          "SELECT model_id || ' ' || number || ' ' || hex(png) FROM thumbnail ORDER BY model_id, number"}) {
+          "SELECT model_id || ' ' || number || ' ' || hex(png) FROM thumbnail ORDER BY model_id, number",
+          "SELECT measure FROM likeness",
+          "SELECT model_id || ' ' || place || ' ' || other_id || ' ' || distance || ' ' || checksum FROM neighbour "
+          "ORDER BY model_id, place"}) {
         auto rows = database->prepare(sql);
         if (!rows) throw std::runtime_error(rows.error().sentence());
         for (;;) {

@@ -93,6 +93,32 @@ TEST_CASE("the index does not depend on the number of jobs", "[builder]") {
     CHECK((support::index_rows(folder.path("a.db")) == support::index_rows(folder.path("b.db"))));
 }
 
+TEST_CASE("a build that was asked once which models are near to which keeps that up to date", "[builder]") {
+    const TemporaryFolder folder;
+    write_models(folder, 4);
+    IndexBuildOptions wanted = options(folder, 1);
+    wanted.likeness = true;
+    std::size_t described = 0, measured = 0;
+    const auto report = app::build_index(wanted, {}, [&](app::IndexBuildProgress p) {
+        (p.measuring ? measured : described) = p.done;
+        CHECK(p.total == 4);
+    });
+    REQUIRE(report);
+    CHECK(report->measured == 4);
+    CHECK(described == 4);
+    CHECK(measured == 4);
+    const std::string expected = support::index_rows(folder.path("a.db"));
+    CHECK(build(options(folder)).measured == 0);
+    CHECK((support::index_rows(folder.path("a.db")) == expected));
+    wanted.jobs = 3;
+    wanted.database = folder.path("b.db");
+    CHECK(build(wanted).measured == 4);
+    CHECK((support::index_rows(folder.path("b.db")) == expected));
+    write_models(folder, 6);
+    CHECK(build(options(folder)).measured == 6);  // lists of three were short
+    CHECK(open(folder).neighbour_lists()->size() == 6);
+}
+
 TEST_CASE("bad files are named, each in one sentence, and the rest goes on", "[builder]") {
     const TemporaryFolder folder;
     write_models(folder, 2);

@@ -37,8 +37,11 @@ TEST_CASE("models come back as they were stored, in the order of insertion", "[i
     const db::LoadedModels loaded = fixture::value(index.load_views());
     CHECK(loaded.damaged.empty());
     REQUIRE(loaded.models.size() == models.size());
+    const db::LoadedModels shared = fixture::value(index.load_views(3));
+    REQUIRE(shared.models.size() == models.size());
     for (std::size_t i = 0; i < models.size(); ++i) {
         const ModelRecord expected = fixture::as_stored(models[i]);
+        CHECK(fixture::same_views(shared.models[i], loaded.models[i]));
         CHECK(loaded.models[i].id == static_cast<std::int64_t>(i) + 1);
         CHECK(fixture::same_views(loaded.models[i], expected));
         CHECK(loaded.models[i].display_mesh.vertices.empty());
