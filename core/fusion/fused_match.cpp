@@ -19,19 +19,14 @@ ComparableShape comparable(const OutlineReadings& readings, const ShapeParameter
     return comparable(readings.parts, readings.contour, parameters);
 }
 
-namespace {
-
-/// The distance of parts at which the fused one is given up. A little above, so that rounding never makes a distance of
-/// one that was given up below the limit.
 double parts_limit(double contour, double give_up_at) {
-    return (give_up_at - contour) * (kPartsScale / kPartsWeight) * 1.0001;
+    const double share = parts_share(contour);
+    return share > 0.0 ? (give_up_at - contour) / share * 1.0001 : std::numeric_limits<double>::infinity();
 }
-
-}  // namespace
 
 double FusedMatcher::distance_from(double contour, const ComparableShape& a, const ComparableShape& b,
                                    double give_up_at) {
-    if (contour >= give_up_at) return contour;
+    if (contour >= give_up_at || contour == 0.0) return contour;
     return fused_distance(parts_.distance(a.parts, b.parts, parts_limit(contour, give_up_at)), contour);
 }
 

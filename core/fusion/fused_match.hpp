@@ -41,10 +41,25 @@ inline constexpr double kPartsScale = 80.0;
 /// 95.2 / 95.0.
 inline constexpr double kPartsWeight = 0.35;
 
-/// The sum that ranks.
-[[nodiscard]] constexpr double fused_distance(double parts, double contour) {
-    return contour + kPartsWeight / kPartsScale * parts;
+/// Contours that differ less are those of one shape, or nearly, and their parts then differ by where the outlines were
+/// cut, not by what they are: so the parts count less, the nearer the contours. Half of the pairs within a class are
+/// nearer. From 0.05 to 0.6 nothing changes on the Kimia sets, but a turned or scaled copy is nearer to its original.
+inline constexpr double kNearlyEqualContours = 0.3;
+
+/// What a distance of the parts counts for beside this distance of the contours.
+[[nodiscard]] constexpr double parts_share(double contour) {
+    const double nearness = contour / kNearlyEqualContours;
+    return kPartsWeight / kPartsScale * (nearness < 1.0 ? nearness : 1.0);
 }
+
+/// The sum that ranks. It never falls when one of the two grows.
+[[nodiscard]] constexpr double fused_distance(double parts, double contour) {
+    return contour + parts_share(contour) * parts;
+}
+
+/// The distance of the parts from which on the fused one is not below `give_up_at`. A little above, so that rounding
+/// never makes a distance of one that was given up below the limit. Infinite where the parts do not count.
+[[nodiscard]] double parts_limit(double contour, double give_up_at);
 
 /// Working memory for both; one per thread.
 class FusedMatcher {

@@ -39,7 +39,7 @@ void compare(const CollectionModel& a, const CollectionModel& b, core::FusedMatc
     double least_parts = std::numeric_limits<double>::infinity(), least_fused = least_parts;
     for (const ViewPair& pair : pairs) {
         // What may still lower one of the two; a little above, because of rounding.
-        const double of_fused = (least_fused - pair.contour) * (core::kPartsScale / core::kPartsWeight) * 1.0001;
+        const double of_fused = core::parts_limit(pair.contour, least_fused);
         const double give_up_at = std::max(least_parts, of_fused);
         const double d = matcher.parts().distance(a.views[pair.of_a].parts, b.views[pair.of_b].parts, give_up_at);
         least_parts = std::min(least_parts, d);

@@ -25,7 +25,8 @@ TEST_CASE("the fused distance is the weighted sum of both readings", "[fusion]")
     const core::ComparableShape horse = shape_of(support::horse()), hand = shape_of(support::hand());
     const double parts = matcher.parts().distance(horse.parts, hand.parts);
     const double contour = matcher.contour().distance(horse.contour, hand.contour);
-    CHECK(matcher.distance(horse, hand) == Approx(contour + core::kPartsWeight * parts / core::kPartsScale));
+    CHECK(matcher.distance(horse, hand) ==
+          Approx(contour + core::kPartsWeight * parts / core::kPartsScale * std::min(1.0, contour / 0.3)));
     CHECK(matcher.distance_from(contour, horse, hand) == matcher.distance(horse, hand));
 }
 
