@@ -153,6 +153,24 @@ TEST_CASE("inter-distances by hand: on a cross of perimeter 40", "[part_ring]") 
     }
 }
 
+TEST_CASE("inter-distances do not depend on where the shape lies, how it is turned and how large it is",
+          "[part_ring]") {
+    const core::ShapeDescriptor shape = support::arm_ring({{0, 1}, {1, 1}, {2, 1}, {3, 1}}, {{1, 2, 1}});
+    const PartRing here = core::matchable(shape, table_5_2()).forwards;
+    for (const core::Polygon& samples :
+         {support::moved(shape.samples, {130, -70}), support::turned(support::moved(shape.samples, {9, 4}), 0.7),
+          support::scaled(support::moved(shape.samples, {-3, 8}), 6)}) {
+        core::ShapeDescriptor copy = shape;
+        copy.samples = samples;
+        const PartRing there = core::matchable(copy, table_5_2()).forwards;
+        for (std::size_t i = 0; i < here.inter.size(); ++i) {
+            CHECK(there.inter[i].d_e == Approx(here.inter[i].d_e).margin(1e-5));
+            CHECK(there.inter[i].d_be == Approx(here.inter[i].d_be).margin(1e-5));
+            CHECK(there.inter[i].d_a == Approx(here.inter[i].d_a).margin(1e-4));
+        }
+    }
+}
+
 TEST_CASE("the clockwise ring is what the mirror image reads anti-clockwise", "[part_ring]") {
     core::ShapeDescriptor shape = support::arm_ring({{0, 1}, {1, 2}, {2, 3}, {3, 4}}, {{1, 2, 5}});
     for (std::size_t k = 0; k < core::kSignatureSize; ++k) shape.parts[0].signature[k] = static_cast<float>(k);
