@@ -40,8 +40,8 @@ Part wing(int first, int count) {
 }
 
 std::vector<int> stops(const std::vector<Part>& wings, int terminals, bool backwards = false) {
-    std::vector<Part> parts;
-    for (int t = 0; t < terminals; ++t) parts.push_back(wing(t, 1));
+    std::vector<Part> parts(static_cast<std::size_t>(terminals));
+    for (int t = 0; t < terminals; ++t) parts[static_cast<std::size_t>(t)] = wing(t, 1);
     parts.insert(parts.end(), wings.begin(), wings.end());
     return core::stop_points(parts, terminals, backwards);
 }
