@@ -308,12 +308,26 @@ core::Result<void> write_description_picture(const core::DescribedShape& shape, 
 
 namespace {
 
-/// Matched parts in one colour per pair, larger pairs first.
+/// The largest part with the terminals of this one: the whole limb, where a tip was matched.
+const core::Part& limb_of(const core::ShapeDescriptor& d, const core::Part& part) {
+    const auto area = [](const core::Part& p) { return p.features[static_cast<std::size_t>(core::Feature::Area)]; };
+    const core::Part* limb = &part;
+    for (const core::Part& other : d.parts) {
+        const bool same = other.first_terminal == part.first_terminal && other.terminal_count == part.terminal_count;
+        if (same && area(other) > area(*limb)) limb = &other;
+    }
+    return *limb;
+}
+
+/// Matched parts in one colour per pair, larger pairs first; paler what else belongs to their limbs.
 void draw_matched(const Panel& panel, const core::ShapeDescriptor& d, const core::Match& match, bool side_b) {
     panel.fill(d.samples, kClay, 0.8);
     const auto part_of = [&](const core::MatchedPair& p) -> const core::Part& {
         return d.parts[static_cast<std::size_t>(side_b ? p.part_b : p.part_a)];
     };
+    for (std::size_t k = 0; k < match.pairs.size(); ++k) {
+        panel.fill(ring_of(d, limb_of(d, part_of(match.pairs[k]))), kPartColours[k % kPartColours.size()], 0.4);
+    }
     for (std::size_t k = 0; k < match.pairs.size(); ++k) {
         panel.fill(ring_of(d, part_of(match.pairs[k])), kPartColours[k % kPartColours.size()], 0.9);
     }

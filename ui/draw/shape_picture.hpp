@@ -34,7 +34,8 @@ struct MatchPictureItem {
     std::string title_a, title_b;
 };
 
-/// One row a match: both shapes, matched parts in the same colour and with the same number, parts left out in clay.
+/// One row a match: both shapes, matched parts in the same colour and with the same number, paler the rest of a limb
+/// whose tip was matched, parts left out in clay.
 [[nodiscard]] core::Result<void> write_match_picture(const std::vector<MatchPictureItem>& items,
                                                      const std::string& path);
 

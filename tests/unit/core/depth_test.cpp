@@ -115,8 +115,11 @@ TEST_CASE("an iteration goes on while what has become a terminal lets its neighb
     const PartTree tree = core::part_tree(c.s, p);
     for (const int node : {c.j1, c.j3, c.s12, c.s23, c.j2})
         CHECK(at(tree.iteration, node) == (node == tree.root ? -1 : 0));
-    // Smaller compounds go first, so the larger of two last neighbours is left, and it is a junction.
     CHECK(c.s.graph.nodes[static_cast<std::size_t>(tree.root)].kind == PieceKind::Junction);
+    // Smaller compounds go first, so where the thresholds do not decide the largest is left.
+    const Caterpillar heavy(2, 2, 40), other(40, 2, 2);
+    CHECK(core::part_tree(heavy.s, p).root == heavy.j3);
+    CHECK(core::part_tree(other.s, p).root == other.j1);
 }
 
 TEST_CASE("both area and perimeter have to be below the threshold", "[depth]") {

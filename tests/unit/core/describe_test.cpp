@@ -31,6 +31,7 @@ std::vector<std::pair<std::string, BinaryImage>> degenerate() {
         {"blob", support::silhouette_of({{0, 2}, {2, 0}, {6, 0.5}, {9, 3}, {8, 6}, {4, 7}, {1, 5}}, 120)},
         {"long bar", support::silhouette_of(support::rectangle(40, 1), 160)},
         {"spiral", support::silhouette_of(support::spiral(4, 5), 200)},
+        {"spiral whose sides cross once they are sampled", support::silhouette_of(support::spiral(8, 4), 260)},
         {"coastline", support::silhouette_of(support::coastline(9), 240)},
         {"comb of 200 teeth", support::silhouette_of(support::comb(200, 30), 1200)},
         {"one pixel wide, across",
@@ -141,6 +142,12 @@ TEST_CASE("terminals of the descriptor are those of the graph", "[describe]") {
     }
 }
 
+TEST_CASE("a band whose samples would cross is described by fewer of them", "[describe]") {
+    const ShapeDescriptor spiral = described(support::silhouette_of(support::spiral(8, 4), 260));
+    CHECK(spiral.samples.size() < 100);
+    CHECK(core::triangulate(spiral.samples));
+}
+
 TEST_CASE("a comb keeps its teeth as long as there are samples for them", "[describe]") {
     // 100 samples: ten teeth have four corners each; two hundred do not, and what is left is still a shape.
     const ShapeDescriptor ten = described(support::silhouette_of(support::comb(10, 8), 200));
@@ -161,6 +168,33 @@ TEST_CASE("a page margin changes nothing, not even its absence", "[describe]") {
     const ShapeDescriptor there = described(support::with_margin(tight, 13, 5, 7, 9));
     CHECK(here.parts == there.parts);
     CHECK(here.stop_points == there.stop_points);
+}
+
+TEST_CASE("an outline twice, four times or half as large has the same parts to the last bit", "[describe]") {
+    // Grids have steps of powers of two, so everything scales exactly with them.
+    for (const Polygon& outline : {support::horse(), support::hand(), support::bug(), support::coastline(6)}) {
+        const auto one = core::describe(outline);
+        REQUIRE(one);
+        for (const double factor : {0.5, 2.0, 4.0}) {
+            const auto other = core::describe(support::scaled(outline, factor));
+            REQUIRE(other);
+            CHECK(other->parts == one->parts);
+            CHECK(other->stop_points == one->stop_points);
+            CHECK(other->whole == one->whole);
+            CHECK(other->skeletal_length == factor * one->skeletal_length);
+        }
+    }
+}
+
+TEST_CASE("a mirrored outline reads nearly the same backwards", "[describe]") {
+    core::Matcher matcher;
+    for (const Polygon& outline : {support::horse(), support::horned(), support::centaur(), support::hand()}) {
+        const auto one = core::describe(outline), other = core::describe(support::mirrored(outline));
+        REQUIRE((one && other));
+        const core::Match match = matcher.match(core::matchable(*one), core::matchable(*other));
+        CHECK(match.reversed);
+        CHECK(match.distance < 0.5 * matcher.asymmetry(core::matchable(*one)));
+    }
 }
 
 TEST_CASE("a horse is its legs, tail and head; legs of one end and the head make wings", "[describe]") {

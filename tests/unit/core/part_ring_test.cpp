@@ -40,8 +40,8 @@ Part wing(int first, int count) {
 }
 
 std::vector<int> stops(const std::vector<Part>& wings, int terminals, bool backwards = false) {
-    std::vector<Part> parts;
-    for (int t = 0; t < terminals; ++t) parts.push_back(wing(t, 1));
+    std::vector<Part> parts(static_cast<std::size_t>(terminals));
+    for (int t = 0; t < terminals; ++t) parts[static_cast<std::size_t>(t)] = wing(t, 1);
     parts.insert(parts.end(), wings.begin(), wings.end());
     return core::stop_points(parts, terminals, backwards);
 }
@@ -150,6 +150,24 @@ TEST_CASE("inter-distances by hand: on a cross of perimeter 40", "[part_ring]") 
         // Upper and left arm: from sample 4 to 10, about the middle of (1, 1) and (-1, -1): the direction is (-1, 1).
         CHECK(ring.between(4, 0).d_a == Approx(0.1 * 135));
         CHECK(ring.between(4, 1).d_a == Approx(0.1 * 45));
+    }
+}
+
+TEST_CASE("inter-distances do not depend on where the shape lies, how it is turned and how large it is",
+          "[part_ring]") {
+    const core::ShapeDescriptor shape = support::arm_ring({{0, 1}, {1, 1}, {2, 1}, {3, 1}}, {{1, 2, 1}});
+    const PartRing here = core::matchable(shape, table_5_2()).forwards;
+    for (const core::Polygon& samples :
+         {support::moved(shape.samples, {130, -70}), support::turned(support::moved(shape.samples, {9, 4}), 0.7),
+          support::scaled(support::moved(shape.samples, {-3, 8}), 6)}) {
+        core::ShapeDescriptor copy = shape;
+        copy.samples = samples;
+        const PartRing there = core::matchable(copy, table_5_2()).forwards;
+        for (std::size_t i = 0; i < here.inter.size(); ++i) {
+            CHECK(there.inter[i].d_e == Approx(here.inter[i].d_e).margin(1e-5));
+            CHECK(there.inter[i].d_be == Approx(here.inter[i].d_be).margin(1e-5));
+            CHECK(there.inter[i].d_a == Approx(here.inter[i].d_a).margin(1e-4));
+        }
     }
 }
 
