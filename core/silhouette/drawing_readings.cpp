@@ -9,7 +9,7 @@ namespace core {
 namespace {
 
 constexpr double kWider = 2.5;
-constexpr double kDoubtfulShare = 0.005;
+constexpr double kDoubtfulShare = 0.01;
 constexpr double kSamePixel = 1e-6;  // rounding of offsets
 
 std::size_t object_pixels(const Silhouette& silhouette) {

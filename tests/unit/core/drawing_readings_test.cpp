@@ -84,14 +84,14 @@ TEST_CASE("a drawing has the same readings at every step of its making", "[readi
     }
 }
 
-TEST_CASE("readings are doubtful from half a per cent of the object on", "[readings]") {
+TEST_CASE("readings are doubtful from one per cent of the object on", "[readings]") {
     core::Silhouette plain{core::BinaryImage(40, 30), {}};
     std::fill_n(plain.image.pixels.begin(), 1000, std::uint8_t{1});
     core::Silhouette wide = plain;
     CHECK_FALSE(core::is_doubtful(plain, wide));
-    std::fill_n(wide.image.pixels.begin() + 1000, 5, std::uint8_t{1});
+    std::fill_n(wide.image.pixels.begin() + 1000, 10, std::uint8_t{1});
     CHECK_FALSE(core::is_doubtful(plain, wide));
-    wide.image.pixels[1005] = 1;
+    wide.image.pixels[1010] = 1;
     CHECK(core::is_doubtful(plain, wide));
     wide = plain;
     wide.raster.scale = 2.0;
@@ -112,7 +112,7 @@ TEST_CASE("readings with different margins are laid over each other", "[readings
     }
     CHECK_FALSE(core::is_doubtful(plain, wide));
     CHECK_FALSE(core::is_doubtful(wide, plain));
-    for (int y = 10; y < 14; ++y) wide.image.at(49, y) = 1;  // beyond the plain one's raster
+    for (int y = 10; y < 18; ++y) wide.image.at(49, y) = 1;  // beyond the plain one's raster
     CHECK(core::is_doubtful(plain, wide));
     wide.raster.offset = {8.0, 2.0};
     CHECK(core::is_doubtful(plain, wide));
