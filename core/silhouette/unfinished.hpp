@@ -19,7 +19,7 @@ class UnfinishedReading {
     explicit UnfinishedReading(const SilhouetteOptions& options = {}) : closed_(options) {}
 
     /// The silhouette with the last stroke closed, when the one of the drawing as it is, `plain`, has less than 0.6 of
-    /// its area; nothing otherwise. About a millisecond.
+    /// its area; nothing otherwise. A millisecond where the stroke goes round enough to be worth a look, nothing else.
     [[nodiscard]] std::optional<Silhouette> look_ahead(const Drawing& drawing, const Silhouette& plain);
 
   private:

@@ -79,7 +79,7 @@ SearchAnswer SketchSearcher::search(const core::Drawing& drawing, std::stop_toke
     const Stopwatch watch;
     live_.follow(drawing);
     const Readings readings = live_.readings();
-    return find(readings, watch.ms(), std::move(stop));
+    return find(readings, watch.ms(), stop);
 }
 
 SearchAnswer SketchSearcher::search_unfinished(const core::Drawing& drawing, std::stop_token stop) {
@@ -90,10 +90,10 @@ SearchAnswer SketchSearcher::search_unfinished(const core::Drawing& drawing, std
         auto closed = unfinished_.look_ahead(drawing, readings->front());
         if (closed) readings = std::vector{std::move(*closed)};
     }
-    return find(readings, watch.ms(), std::move(stop));
+    return find(readings, watch.ms(), stop);
 }
 
-SearchAnswer SketchSearcher::find(const Readings& silhouettes, double silhouette_ms, std::stop_token stop) {
+SearchAnswer SketchSearcher::find(const Readings& silhouettes, double silhouette_ms, const std::stop_token& stop) {
     SearchAnswer answer;
     if (!silhouettes) {
         answer.message_key = "too_little";

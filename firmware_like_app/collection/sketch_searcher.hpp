@@ -28,7 +28,7 @@ class SketchSearcher : public Searcher {
   private:
     SketchSearcher(Collection collection, db::TwoViewIndex index, int jobs, int best_count);
     using Readings = core::Result<std::vector<core::Silhouette>>;
-    SearchAnswer find(const Readings& silhouettes, double silhouette_ms, std::stop_token stop);
+    SearchAnswer find(const Readings& silhouettes, double silhouette_ms, const std::stop_token& stop);
     std::shared_ptr<const core::TriangleMesh> mesh_of(std::int64_t id);
 
     Collection collection_;
