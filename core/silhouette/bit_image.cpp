@@ -49,6 +49,16 @@ void BitImage::clear_run(int y, int x0, int x1) {
     if (x0 <= x1) each_word(row(y), x0, x1, [](std::uint64_t& word, std::uint64_t mask) { word &= ~mask; });
 }
 
+void BitImage::copy_bytes(int y, int x0, int count, std::uint8_t* out) const {
+    const std::uint64_t* words = row(y);
+    for (int i = 0; i < count;) {
+        const int x = x0 + i, in_word = std::min(64 - x % 64, count - i);
+        std::uint64_t word = words[x / 64] >> (x % 64);
+        for (int k = 0; k < in_word; ++k, word >>= 1U) out[i + k] = static_cast<std::uint8_t>(word & 1U);
+        i += in_word;
+    }
+}
+
 void RunParts::append_runs(const std::uint64_t* row, const BitImage& image, bool value, int y) {
     int open = -1;  // where a run began that has not ended yet
     for (int w = 0; w < image.words(); ++w) {

@@ -23,6 +23,8 @@ class BitImage {
     void set_run(int y, int x0, int x1);
     void clear_run(int y, int x0, int x1);
     void fill(bool value);
+    /// Pixels x0 … x0 + count - 1 of a row as bytes of 0 and 1. Inside the image.
+    void copy_bytes(int y, int x0, int count, std::uint8_t* out) const;
     friend bool operator==(const BitImage&, const BitImage&) = default;
 
   private:

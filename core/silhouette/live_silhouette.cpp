@@ -432,9 +432,7 @@ struct LiveSilhouette::Impl {
         out.raster = {layout->scale,
                       Point{-layout->origin.x * layout->scale - x0, -layout->origin.y * layout->scale - y0}};
         for (int y = 0; y < out.image.height; ++y) {
-            for (int x = 0; x < out.image.width; ++x) {
-                out.image.at(x, y) = object.at(x + x0 - left, y + y0 - top) ? 1 : 0;
-            }
+            object.copy_bytes(y + y0 - top, x0 - left, out.image.width, &out.image.at(0, y));
         }
         return out;
     }

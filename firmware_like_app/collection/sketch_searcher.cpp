@@ -76,16 +76,30 @@ std::vector<FoundPart> parts_of(const core::Match& match, const SketchDescriptio
 }  // namespace
 
 SearchAnswer SketchSearcher::search(const core::Drawing& drawing, std::stop_token stop) {
-    SearchAnswer answer;
-    const Stopwatch silhouette_watch;
+    const Stopwatch watch;
     live_.follow(drawing);
-    const core::Result<std::vector<core::Silhouette>> silhouettes = live_.readings();
+    const Readings readings = live_.readings();
+    return find(readings, watch.ms(), stop);
+}
+
+SearchAnswer SketchSearcher::search_unfinished(const core::Drawing& drawing, std::stop_token stop) {
+    const Stopwatch watch;
+    live_.follow(drawing);
+    Readings readings = live_.readings();
+    if (readings) {
+        auto closed = unfinished_.look_ahead(drawing, readings->front());
+        if (closed) readings = std::vector{std::move(*closed)};
+    }
+    return find(readings, watch.ms(), stop);
+}
+
+SearchAnswer SketchSearcher::find(const Readings& silhouettes, double silhouette_ms, const std::stop_token& stop) {
+    SearchAnswer answer;
     if (!silhouettes) {
         answer.message_key = "too_little";
         return answer;
     }
-    const core::Result<std::vector<SketchDescription>> readings =
-        describe_silhouettes(*silhouettes, silhouette_watch.ms());
+    const core::Result<std::vector<SketchDescription>> readings = describe_silhouettes(*silhouettes, silhouette_ms);
     if (!readings) {
         answer.message_key = "too_little";
         return answer;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/silhouette/drawing_readings.hpp"
+#include "core/silhouette/unfinished.hpp"
 #include "db/stores/two_view_index.hpp"
 #include "firmware_like_app/collection/collection.hpp"
 #include "firmware_like_app/kiosk/searcher.hpp"
@@ -20,10 +21,14 @@ class SketchSearcher : public Searcher {
                                                                             int best_count);
 
     SearchAnswer search(const core::Drawing& drawing, std::stop_token stop) override;
+    /// See core/silhouette/unfinished.hpp.
+    SearchAnswer search_unfinished(const core::Drawing& drawing, std::stop_token stop) override;
     [[nodiscard]] const Collection& collection() const { return collection_; }
 
   private:
     SketchSearcher(Collection collection, db::TwoViewIndex index, int jobs, int best_count);
+    using Readings = core::Result<std::vector<core::Silhouette>>;
+    SearchAnswer find(const Readings& silhouettes, double silhouette_ms, const std::stop_token& stop);
     std::shared_ptr<const core::TriangleMesh> mesh_of(std::int64_t id);
 
     Collection collection_;
@@ -32,6 +37,7 @@ class SketchSearcher : public Searcher {
     int best_count_;
     core::Matcher matcher_;
     core::LiveReadings live_;  // follows the drawing from search to search
+    core::UnfinishedReading unfinished_;
     std::list<std::pair<std::int64_t, std::shared_ptr<const core::TriangleMesh>>> meshes_;  // newest first
 };
 

@@ -285,7 +285,7 @@ void FindMode::sheet_changed(std::int64_t now_us) {
 void FindMode::submit() {
     if (!worker_) return;
     submitted_revision_ = sketch_.revision();
-    last_ticket_ = worker_->submit(sketch_.drawing());
+    last_ticket_ = worker_->submit(sketch_.drawing(), sketch_.open());
     last_ticket_revision_ = submitted_revision_;
 }
 

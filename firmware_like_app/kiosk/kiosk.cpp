@@ -195,7 +195,7 @@ class Loop {
                 break;
             case ReplayEvent::Kind::Up:
                 find_.end_stroke(now_us);
-                if (options_.headless) find_.search_and_wait();
+                if (options_.headless && !options_.early_looks) find_.search_and_wait();
                 break;
             case ReplayEvent::Kind::DrawingEnds:
                 find_.search_and_wait();

@@ -20,12 +20,10 @@ class LiveSearcher final : public Searcher {
 
     /// One search at a time; others wait for it.
     SearchAnswer search(const core::Drawing& drawing, std::stop_token stop) override {
-        const std::lock_guard lock(searching_);
-        const std::shared_ptr<Searcher> searcher = current();
-        if (!searcher) return {};
-        SearchAnswer answer = searcher->search(drawing, stop);
-        if (!stop.stop_requested()) note(answer.silhouette_ms + answer.describe_ms + answer.search_ms);
-        return answer;
+        return ask(&Searcher::search, drawing, std::move(stop));
+    }
+    SearchAnswer search_unfinished(const core::Drawing& drawing, std::stop_token stop) override {
+        return ask(&Searcher::search_unfinished, drawing, std::move(stop));
     }
     /// From the next search on. A search that runs goes on with the old one, which it keeps alive.
     void replace(std::shared_ptr<Searcher> searcher) {
@@ -51,6 +49,16 @@ class LiveSearcher final : public Searcher {
     }
 
   private:
+    using Ask = SearchAnswer (Searcher::*)(const core::Drawing&, std::stop_token);
+    SearchAnswer ask(Ask how, const core::Drawing& drawing, std::stop_token stop) {
+        const std::lock_guard lock(searching_);
+        const std::shared_ptr<Searcher> searcher = current();
+        if (!searcher) return {};
+        SearchAnswer answer = (searcher.get()->*how)(drawing, stop);
+        if (!stop.stop_requested()) note(answer.silhouette_ms + answer.describe_ms + answer.search_ms);
+        return answer;
+    }
+
     void note(double ms) {
         const std::lock_guard lock(mutex_);
         times_ms_[noted_++ % times_ms_.size()] = ms;

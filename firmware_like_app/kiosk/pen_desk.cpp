@@ -62,7 +62,7 @@ void PenDesk::fit(ui::SizePx screen) {
         {.numbers = &numbers_, .palm = {}, .width_mm = screen.width * kMmPerPx, .height_mm = screen.height * kMmPerPx});
 }
 
-std::vector<ui::WindowEvent> PenDesk::merge(std::vector<ui::WindowEvent> window, ui::SizePx screen,
+std::vector<ui::WindowEvent> PenDesk::merge(const std::vector<ui::WindowEvent>& window, ui::SizePx screen,
                                             const ui::Rect& sheet, std::int64_t now_us) {
     to_window_us_ = now_us - clock_() / 1000;
     fit(screen);
@@ -160,9 +160,7 @@ void PenDesk::take_sample(const input::PenSample& sample, std::vector<Event>& ou
     }
     if (holder_ == Holder::Pen && pen_ != sample.device) return;  // another pen draws
     if (!sample.x || !sample.y) return;
-    if (!sample.tip) {
-        last_ = event_of(Kind::Move, sample);
-    } else if (holder_ == Holder::Pen) {
+    if (!sample.tip || holder_ == Holder::Pen) {
         last_ = event_of(Kind::Move, sample);
     } else {
         release_others(window_us(sample.time_ns), out);

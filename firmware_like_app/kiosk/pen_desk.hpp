@@ -61,7 +61,7 @@ class PenDesk {
     /// Once a frame: the window's events as far as they count, and those of the tablets since the last call, in the
     /// order of their times. Tablets cover the whole screen; `sheet` is where touches may be a palm. `now_us` is the
     /// window's clock. Never waits.
-    [[nodiscard]] std::vector<ui::WindowEvent> merge(std::vector<ui::WindowEvent> window, ui::SizePx screen,
+    [[nodiscard]] std::vector<ui::WindowEvent> merge(const std::vector<ui::WindowEvent>& window, ui::SizePx screen,
                                                      const ui::Rect& sheet, std::int64_t now_us);
 
     /// Where the pen that draws will be when the next frame is seen, in pixels; for ink that is shown early.

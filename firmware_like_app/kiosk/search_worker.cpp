@@ -26,9 +26,9 @@ SearchWorker::~SearchWorker() {
     thread_.join();
 }
 
-std::uint64_t SearchWorker::submit(core::Drawing drawing) {
+std::uint64_t SearchWorker::submit(core::Drawing drawing, bool unfinished) {
     const std::scoped_lock lock(mutex_);
-    waiting_ = Job{++last_ticket_, std::move(drawing), std::chrono::steady_clock::now()};
+    waiting_ = Job{++last_ticket_, std::move(drawing), unfinished, std::chrono::steady_clock::now()};
     changed_.notify_all();
     return last_ticket_;
 }
@@ -71,7 +71,8 @@ PreparedAnswer SearchWorker::run(const Job& job, const std::stop_token& stop) {
     out.ticket = job.ticket;
     out.waited_ms = ms_since(job.since);
     try {
-        out.answer = searcher_.search(job.drawing, stop);
+        out.answer =
+            job.unfinished ? searcher_.search_unfinished(job.drawing, stop) : searcher_.search(job.drawing, stop);
     } catch (const std::exception& e) {
         out.answer = {};
         out.failure = e.what();

@@ -33,8 +33,9 @@ class SearchWorker {
     SearchWorker(const SearchWorker&) = delete;
     SearchWorker& operator=(const SearchWorker&) = delete;
 
-    /// Hands over a drawing and returns at once; one that still waits is replaced. Tickets grow.
-    std::uint64_t submit(core::Drawing drawing);
+    /// Hands over a drawing and returns at once; one that still waits is replaced. Tickets grow. `unfinished`: its last
+    /// stroke is still being drawn.
+    std::uint64_t submit(core::Drawing drawing, bool unfinished = false);
     /// The newest answer since the last call, if any. Does not wait.
     [[nodiscard]] std::optional<PreparedAnswer> take();
     /// Waits until a search with this ticket or a newer one is done and takes it. Nothing when it was taken before.
@@ -46,6 +47,7 @@ class SearchWorker {
     struct Job {
         std::uint64_t ticket;
         core::Drawing drawing;
+        bool unfinished;
         std::chrono::steady_clock::time_point since;
     };
     void work(const std::stop_token& stop);

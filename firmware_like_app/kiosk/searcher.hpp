@@ -5,6 +5,7 @@
 #include <memory>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/point.hpp"
@@ -44,6 +45,10 @@ class Searcher {
     virtual ~Searcher() = default;
     /// The drawing is never empty. When `stop` is requested the answer is no longer wanted: return soon, with anything.
     virtual SearchAnswer search(const core::Drawing& drawing, std::stop_token stop) = 0;
+    /// The same while the last stroke is still being drawn: may answer for what the drawing is about to become.
+    virtual SearchAnswer search_unfinished(const core::Drawing& drawing, std::stop_token stop) {
+        return search(drawing, std::move(stop));
+    }
 };
 
 }  // namespace app

@@ -92,10 +92,11 @@ struct Times {
 };
 
 /// A search, and how long it took; with quiet cores its stages are scaled from the clock to processor time.
-double search(app::SketchSearcher& searcher, const core::Drawing& drawing, int quiet_cores, Times& times) {
+double search(app::SketchSearcher& searcher, const core::Drawing& drawing, bool unfinished, int quiet_cores,
+              Times& times) {
     const auto clock = std::chrono::steady_clock::now();
     const double cpu = cpu_ms();
-    app::SearchAnswer answer = searcher.search(drawing, {});
+    app::SearchAnswer answer = unfinished ? searcher.search_unfinished(drawing, {}) : searcher.search(drawing, {});
     double took = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - clock).count();
     if (quiet_cores > 0) {
         const double scale = (cpu_ms() - cpu) / took;
@@ -124,7 +125,11 @@ void draw(const core::Drawing& drawing, app::SketchSearcher& searcher, int every
         std::size_t newest = next;
         while (newest + 1 < batches.size() && batches[newest + 1].frame_ms <= start) ++newest;
         ++times.searches;
-        if (n % every == 0) took = search(searcher, part_of(drawing, batches[newest]), quiet_cores, times);
+        if (n % every == 0) {
+            const Batch& batch = batches[newest];
+            const bool unfinished = batch.samples < drawing.strokes[batch.strokes - 1].samples.size();
+            took = search(searcher, part_of(drawing, batch), unfinished, quiet_cores, times);
+        }
         free_at = start + took;
         for (; next <= newest; ++next) {
             times.from_sample.push_back(free_at - batches[next].last_ms);

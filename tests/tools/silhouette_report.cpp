@@ -2,10 +2,10 @@
 // the pen is the one made in one go; then how much
 // processor time a sample takes.
 //
-//     silhouette_report FOLDER [COUNT [EVERY [SEED]]]
+//     silhouette_report FOLDER [COUNT [EVERY [SEED]]] [--wide]
 //
 // FOLDER holds Quick-Draw files. COUNT drawings are chosen by SEED; EVERY 0 compares nothing and only measures.
-// Exit code 0 when all were the same.
+// --wide looks at the wide reading of doubtful drawings (drawing_readings.hpp). Exit code 0 when all were the same.
 
 #include <algorithm>
 #include <cstdio>
@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "core/exchange/sketch_reader.hpp"
-#include "core/silhouette/live_silhouette.hpp"
+#include "core/silhouette/drawing_readings.hpp"
 
 namespace {
 
@@ -55,8 +55,8 @@ struct Report {
     long compared = 0, wrong = 0;
 };
 
-void draw(const core::Drawing& whole, int every, Report& report) {
-    core::LiveSilhouette live;
+void draw(const core::Drawing& whole, int every, const core::SilhouetteOptions& options, Report& report) {
+    core::LiveSilhouette live(options);
     core::Drawing so_far;
     long step = 0;
     for (const core::Stroke& stroke : whole.strokes) {
@@ -74,7 +74,7 @@ void draw(const core::Drawing& whole, int every, Report& report) {
             report.give_ms.push_back(cpu_ms() - give);
             if (every == 0 || step++ % every != 0) continue;
             ++report.compared;
-            if (!same(s, core::find_silhouette(so_far, {}))) ++report.wrong;
+            if (!same(s, core::find_silhouette(so_far, options))) ++report.wrong;
         }
     }
 }
@@ -93,8 +93,13 @@ void print(const char* what, std::vector<double>& ms) {
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fprintf(stderr, "silhouette_report FOLDER [COUNT [EVERY [SEED]]]\n");
+        std::fprintf(stderr, "silhouette_report FOLDER [COUNT [EVERY [SEED]]] [--wide]\n");
         return 2;
+    }
+    core::SilhouetteOptions options;
+    if (std::string(argv[argc - 1]) == "--wide") {
+        options = core::wide_reading(options);
+        --argc;
     }
     const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
     Report report;
@@ -104,7 +109,7 @@ int main(int argc, char** argv) {
         const auto sketch = core::read_sketch(spec);
         if (!sketch || !sketch->drawing) continue;
         const long wrong = report.wrong;
-        draw(*sketch->drawing, number(3, 0), report);
+        draw(*sketch->drawing, number(3, 0), options, report);
         if (report.wrong != wrong) std::printf("%s: %ld steps differ\n", spec.c_str(), report.wrong - wrong);
         ++drawings;
     }

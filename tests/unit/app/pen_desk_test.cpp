@@ -92,8 +92,8 @@ struct Desk {
         now_ns += 4 * kMs;
         return {kind, x, y, 1.0, window_us(), finger};
     }
-    std::vector<ui::WindowEvent> merge(std::vector<ui::WindowEvent> events = {}) {
-        return desk->merge(std::move(events), kScreen, kSheet, window_us());
+    std::vector<ui::WindowEvent> merge(const std::vector<ui::WindowEvent>& events = {}) {
+        return desk->merge(events, kScreen, kSheet, window_us());
     }
 };
 

@@ -138,3 +138,18 @@ TEST_CASE("cards are made ready beside the search", "[worker]") {
         CHECK((answer->cards[i]->part_map.width > 0) == matched);
     }
 }
+
+TEST_CASE("a searcher is told when the last stroke is still being drawn", "[worker]") {
+    class Noting : public app::Searcher {
+      public:
+        app::SearchAnswer search(const core::Drawing& /*drawing*/, std::stop_token /*stop*/) override {
+            return {{}, "whole"};
+        }
+        app::SearchAnswer search_unfinished(const core::Drawing& /*drawing*/, std::stop_token /*stop*/) override {
+            return {{}, "unfinished"};
+        }
+    } searcher;
+    app::SearchWorker worker(searcher);
+    CHECK(worker.wait_for(worker.submit(drawing_of(1), true))->answer.message_key == "unfinished");
+    CHECK(worker.wait_for(worker.submit(drawing_of(1)))->answer.message_key == "whole");
+}
