@@ -125,7 +125,7 @@ class Drawer {
     }
 
     void sheet_hint() {
-        const double cx = l_.sheet.centre_x(), cy = l_.sheet.height * 0.5;
+        const double cx = l_.sheet.centre_x(), cy = l_.sheet.centre_y();
         const double width = l_.sheet.width - l_.px(96);
         TextStyle title = type_.sheet_title;
         const double wide = fonts_.width_px(words_["hint_title"], title);
