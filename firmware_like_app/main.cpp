@@ -13,6 +13,7 @@ int main(int argc, char** argv) try {
     app::CommandState state;
     app::add_kiosk_command(cli, state);
     app::add_config_command(cli, state);
+    app::add_doctor_command(cli, state);
     app::add_index_commands(cli, state);
     app::add_query_command(cli, state);
     app::add_describe_command(cli, state);

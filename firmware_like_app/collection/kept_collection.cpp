@@ -47,7 +47,7 @@ std::vector<std::string> sources_of(const std::string& database) {
 
 KeptCollection::KeptCollection(Options options) : options_(std::move(options)) {
     status_.can_add = !options_.database.empty();
-    reload();
+    reload(true);
     if (status_.can_add && !options_.models.empty()) {
         {
             const std::lock_guard lock(mutex_);
@@ -63,7 +63,7 @@ KeptCollection::~KeptCollection() {
 }
 
 /// Opens the index as it is now, beside the searches.
-void KeptCollection::reload() {
+void KeptCollection::reload(bool all_is_read) {
     CollectionState state = CollectionState::Empty;
     std::shared_ptr<SketchSearcher> opened;
     std::vector<std::string> problems;
@@ -90,7 +90,7 @@ void KeptCollection::reload() {
     if (state == CollectionState::Ready) searcher_.replace(opened);
     if (state != CollectionState::Ready) searcher_.replace(nullptr);
     const std::lock_guard lock(mutex_);
-    const bool still_read = status_.importing && status_.state == CollectionState::Building;
+    const bool still_read = !all_is_read && status_.importing && status_.state == CollectionState::Building;
     status_.state = still_read ? CollectionState::Building : state;
     status_.models = models;
     status_.views = 2 * models;
@@ -151,7 +151,7 @@ void KeptCollection::import(const std::vector<std::string>& paths, const std::st
         }
         if (!reading || progress.done < next_reload) return;
         next_reload = progress.done + kReloadModels;
-        reload();
+        reload(false);
     });
     CollectionStatus::Ended ended;
     if (report) {
@@ -159,17 +159,15 @@ void KeptCollection::import(const std::vector<std::string>& paths, const std::st
     } else {
         ended.failure = report.error().sentence();
     }
-    {
-        const std::lock_guard lock(mutex_);
-        status_.importing = false;
-        status_.ended = ended;
-    }
-    reload();
-    if (!report) return;
+    reload(true);
     const std::lock_guard lock(mutex_);
-    for (const PassedOver& file : report->failed) {
-        if (status_.problems.size() < kMostProblems) status_.problems.push_back(file.file + ": " + file.why);
+    if (report) {
+        for (const PassedOver& file : report->failed) {
+            if (status_.problems.size() < kMostProblems) status_.problems.push_back(file.file + ": " + file.why);
+        }
     }
+    status_.importing = false;
+    status_.ended = std::move(ended);
 }
 
 }  // namespace app

@@ -34,7 +34,7 @@ class KeptCollection final : public CollectionHost {
     void stop() override;
 
   private:
-    void reload();
+    void reload(bool all_is_read);
     void begin(std::vector<std::string> paths);
     void import(const std::vector<std::string>& paths, const std::stop_token& stop);
 

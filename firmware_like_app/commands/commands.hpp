@@ -28,6 +28,7 @@ void add_garment_commands(CLI::App& cli, CommandState& state);
 void add_mannequin_command(CLI::App& cli, CommandState& state);
 void add_kiosk_command(CLI::App& cli, CommandState& state);
 void add_config_command(CLI::App& cli, CommandState& state);
+void add_doctor_command(CLI::App& cli, CommandState& state);
 
 /// One sentence on standard error, exit code 1.
 void fail(CommandState& state, const core::Error& error);

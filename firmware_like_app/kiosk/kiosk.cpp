@@ -10,6 +10,7 @@
 #include "firmware_like_app/kiosk/drawing_recorder.hpp"
 #include "firmware_like_app/kiosk/find_mode.hpp"
 #include "firmware_like_app/kiosk/live_searcher.hpp"
+#include "firmware_like_app/kiosk/settings.hpp"
 #include "firmware_like_app/kiosk/shell.hpp"
 #include "firmware_like_app/kiosk/surface.hpp"
 
@@ -22,6 +23,7 @@ constexpr std::size_t kEarlyShown = 10;
 constexpr std::int64_t kReplayRest_us = 2'500'000;  // in a window, for people to see the result
 constexpr ui::SizePx kDefaultSize{1920, 1080};
 constexpr std::int64_t kCollectionLook_us = 250'000;
+constexpr std::int64_t kDay_us = 86'400'000'000;
 
 double ms_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -142,14 +144,36 @@ class Loop {
         if (!options_.record.empty()) note_drawing();
         look_at_collection();
         shell_.update(surface_.now_us());
+        report_.restart = shell_.restart_wanted();
+        ended_ = ended_ || shell_.exit_wanted() || report_.restart;
         if (surface_.shows_frames()) shell_.update_ink();
         if (!options_.headless && find_.sketch().empty()) record();
+    }
+
+    /// For the station page.
+    void tell_facts() {
+        StationFacts facts;
+        const std::int64_t now_us = surface_.now_us();
+        if (now_us - day_start_us_ > kDay_us) {
+            day_start_us_ = now_us;
+            worst_today_ms_ = 0;
+        }
+        facts.running_s = (now_us - start_us_) / 1'000'000;
+        facts.worst_frame_ms = worst_today_ms_;
+        facts.renderer = report_.renderer;
+        for (const DeskTablet& tablet : pens_.tablets()) {
+            facts.tablets.push_back(tablet.name);
+            facts.pen_asleep = facts.pen_asleep || tablet.asleep;
+        }
+        facts.problems = report_.problems;
+        shell_.set_facts(std::move(facts));
     }
 
     void look_at_collection() {
         if (surface_.now_us() - collection_seen_us_ < kCollectionLook_us) return;
         collection_seen_us_ = surface_.now_us();
         const CollectionStatus status = collection_.status();
+        tell_facts();
         shell_.set_collection(status.state, {status.done, status.total, status.minutes_left}, surface_.now_us());
     }
 
@@ -267,6 +291,7 @@ class Loop {
         shell_.draw(surface_.now_us(), flip);
         const double ms = ms_since(start);
         report_.worst_frame_ms = std::max(report_.worst_frame_ms, ms);
+        worst_today_ms_ = std::max(worst_today_ms_, ms);
         ++report_.frames;
         ++frame_ms_[static_cast<std::size_t>(std::clamp(ms * 4, 0.0, frame_ms_.size() - 1.0))];
     }
@@ -295,7 +320,8 @@ class Loop {
     std::uint64_t noted_revision_ = 0;
     KioskReport report_;
     core::Result<void> failure_;
-    std::int64_t start_us_ = 0;
+    std::int64_t start_us_ = 0, day_start_us_ = 0;
+    double worst_today_ms_ = 0;
     std::uint64_t searches_before_ = 0;
     std::size_t next_mark_ = 0;
     std::vector<std::vector<std::int64_t>> early_;
@@ -369,6 +395,14 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost&
     shell_options.language = find_options.language;
     shell_options.hand = options.hand;
     shell_options.attract = options.attract;
+    shell_options.pin = options.config.station.pin;
+    shell_options.station.config = options.config;
+    shell_options.station.config_file = options.config_file;
+    shell_options.station.collection = &collection;
+    PenDesk* pens_in_use = nullptr;
+    shell_options.station.changed = [&pens_in_use](const Config& config) {
+        if (pens_in_use != nullptr) pens_in_use->set_pipeline(pens_of(config));
+    };
     shell_options.every_frame_seen = !options.headless;
     core::Result<std::unique_ptr<Shell>> shell = Shell::create(*fonts, *languages, **find, &collection.searcher(),
                                                                shell_options, (*surface)->size(), (*surface)->now_us());
@@ -377,6 +411,7 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost&
     input::DeviceNumbers numbers;
     core::Result<std::unique_ptr<PenDesk>> pens = open_pens(options, numbers);
     if (!pens) return core::unexpected(pens.error());
+    pens_in_use = pens->get();
     return Loop(options, std::move(replays), **surface, **find, **shell, **pens, collection).run();
 }
 

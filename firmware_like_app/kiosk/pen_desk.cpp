@@ -49,6 +49,11 @@ PenDesk::PenDesk(std::unique_ptr<input::PenSource> tablets, input::DeviceNumbers
       pointer_({.numbers = &numbers, .palm = {}}) {}
 
 /// Another screen: tablets are cut to its shape, and the trace gets devices of its size.
+void PenDesk::set_pipeline(const input::PipelineOptions& pipeline) {
+    options_.pipeline = pipeline;
+    screen_ = {0, 0};  // fitted anew with the next frame
+}
+
 void PenDesk::fit(ui::SizePx screen) {
     if (screen == screen_) return;
     screen_ = screen;

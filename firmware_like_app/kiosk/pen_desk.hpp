@@ -73,6 +73,8 @@ class PenDesk {
     [[nodiscard]] std::uint64_t lost() const { return source_ ? source_->lost() : 0; }
     /// What went wrong with tablets since the last call, in sentences for people.
     [[nodiscard]] std::vector<std::string> take_problems();
+    /// Other settings from the next frame on; a stroke that is being drawn ends.
+    void set_pipeline(const input::PipelineOptions& pipeline);
     /// A line in the trace, such as "sheet emptied".
     void mark(const std::string& text);
 

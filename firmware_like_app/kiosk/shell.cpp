@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
+
+#include "firmware_like_app/kiosk/settings.hpp"
 
 namespace app {
 namespace {
@@ -12,6 +15,16 @@ constexpr double kCorner_px = 120;  // of the design
 
 ui::SizePx whole(const ui::Rect& rect) {
     return {std::max(1, static_cast<int>(rect.width)), std::max(1, static_cast<int>(rect.height))};
+}
+
+/// The desk's setup, which tells the shell and then whoever gave it of every change.
+OperatorDesk::Setup station_setup(const ShellOptions& options, std::function<void(const Config&)> take) {
+    OperatorDesk::Setup setup = options.station;
+    setup.changed = [take = std::move(take), told = options.station.changed](const Config& config) {
+        take(config);
+        if (told) told(config);
+    };
+    return setup;
 }
 
 }  // namespace
@@ -44,7 +57,10 @@ Shell::Shell(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages
       detail_(std::move(detail)),
       attract_screen_(fonts, languages),
       notice_screen_(fonts, languages),
-      still_screen_(fonts, languages) {
+      still_screen_(fonts, languages),
+      pin_screen_(fonts, languages),
+      pin_lock_(options.pin),
+      desk_(fonts, languages, station_setup(options, [this](const Config& config) { take_settings(config); })) {
     detail_.allow_drafts(options.every_frame_seen);
     go_on(now_us);
     entered(now_us);
@@ -83,6 +99,42 @@ void Shell::entered(std::int64_t now_us) {
     if (scene_ != Scene::Work) find_.cancel_pointer(now_us);
     if (station_.behind() != Scene::Detail) detail_.close(painter_);
     detail_.cancel_pointer();
+    pin_lock_.clear();
+    desk_.cancel_pointer();
+    if (scene_ == Scene::Operator) desk_.open();
+}
+
+/// What the operator sets holds from the next visitor on; times at once.
+void Shell::take_settings(const Config& config) {
+    options_.times = times_of(config);
+    station_.set_times(options_.times);
+    options_.hand = hand_of(config);
+    for (std::size_t i = 0; i < languages_.size(); ++i) {
+        if (languages_[i].code() == config.visitors.language) options_.language = i;
+    }
+}
+
+void Shell::enter_digit(char digit, std::int64_t now_us) {
+    if (pin_lock_.enter(digit, now_us)) station_.open_operator(now_us);
+}
+
+void Shell::take_wishes(std::int64_t now_us) {
+    const std::optional<OperatorDesk::Wish> wish = desk_.take_wish();
+    if (!wish) return;
+    switch (*wish) {
+        case OperatorDesk::Wish::Close:
+            station_.close_operator(now_us);
+            break;
+        case OperatorDesk::Wish::Clean:
+            station_.clean_screen(now_us);
+            break;
+        case OperatorDesk::Wish::Restart:
+            restart_wanted_ = true;
+            break;
+        case OperatorDesk::Wish::Exit:
+            exit_wanted_ = true;
+            break;
+    }
 }
 
 void Shell::open_detail(const FindMode::OpenedCard& card, std::int64_t now_us) {
@@ -154,12 +206,17 @@ void Shell::pointer(const ui::WindowEvent& event) {
         swallow_ = !ends;
         return;
     }
-    if (event.kind == Kind::Zoom && station_.scene() != Scene::Detail) return;
+    const Scene scene = station_.scene();
+    if (event.kind == Kind::Zoom && scene != Scene::Detail && scene != Scene::Operator) return;
+    if (scene == Scene::Cleaning) return;
     if (mode_has_input()) {
         find_.pointer(event);
         if (const auto card = find_.take_opened_card()) open_detail(*card, event.time_us);
     } else if (station_.scene() == Scene::Detail) {
         if (const auto control = detail_.pointer(event, painter_)) act({*control, 0}, event.time_us);
+    } else if (scene == Scene::Operator) {
+        desk_.pointer(event, desk_.state(find_.language(), event.time_us), screen_);
+        take_wishes(event.time_us);
     } else if (event.kind == Kind::Down) {
         press(event);
     } else if (event.kind == Kind::Move) {
@@ -207,6 +264,15 @@ void Shell::act(const ui::Intent& intent, std::int64_t now_us) {
         case ui::Control::KeepDrawing:
             station_.keep_drawing(now_us);
             break;
+        case ui::Control::Digit:
+            enter_digit(static_cast<char>('0' + intent.item), now_us);
+            break;
+        case ui::Control::EraseDigit:
+            pin_lock_.erase();
+            break;
+        case ui::Control::Cancel:
+            station_.leave_pin(now_us);
+            break;
         case ui::Control::StartOver:
             station_.start_over(now_us);
             break;
@@ -216,10 +282,17 @@ void Shell::act(const ui::Intent& intent, std::int64_t now_us) {
 }
 
 void Shell::cancel_pointer(std::int64_t now_us) {
-    touch_.cancel();
     corner_since_us_.reset();
     swallow_ = tip_down_ = false;
+    cancel_touches(now_us);
+}
+
+/// What is pressed does nothing any more.
+void Shell::cancel_touches(std::int64_t now_us) {
+    touch_.cancel();
     find_.cancel_pointer(now_us);
+    detail_.cancel_pointer();
+    desk_.cancel_pointer();
 }
 
 void Shell::pen_near(bool moved, std::int64_t now_us) {
@@ -252,6 +325,17 @@ void Shell::expect_tablet(std::int64_t now_us) {
 void Shell::update(std::int64_t now_us) {
     if (tip_down_) station_.touched(now_us);
     station_.set_has_work(find_.has_work());
+    if (corner_since_us_ && now_us - *corner_since_us_ >= kCornerHold_us) {
+        corner_since_us_.reset();
+        swallow_ = tip_down_;
+        cancel_touches(now_us);
+        station_.open_pin(now_us);
+    }
+    if (scene_ == Scene::Operator) {
+        desk_.update(now_us);
+        take_wishes(now_us);
+        station_.set_busy(desk_.busy());
+    }
     station_.tick(now_us);
     go_on(now_us);
     find_.update(now_us);
@@ -284,6 +368,18 @@ ui::NoticeState Shell::notice_state() const {
     return state;
 }
 
+ui::PinState Shell::pin_state(std::int64_t now_us) const {
+    ui::PinState state;
+    state.language = find_.language();
+    state.length = pin_lock_.length();
+    state.entered = pin_lock_.entered();
+    state.wrong = pin_lock_.was_wrong();
+    state.wait_s = pin_lock_.wait_s(now_us);
+    state.pressed = touch_.pressed();
+    state.pressed_item = touch_.pressed_item();
+    return state;
+}
+
 ui::StillThereState Shell::still_there_state(std::int64_t now_us) const {
     ui::StillThereState state;
     state.language = find_.language();
@@ -291,8 +387,9 @@ ui::StillThereState Shell::still_there_state(std::int64_t now_us) const {
     const std::int64_t left_us = station_.left_us(now_us);
     state.seconds = static_cast<int>((left_us + 999'999) / 1'000'000);
     // the ring moves by its width, not by every frame
-    const double share =
-        static_cast<double>(left_us) / static_cast<double>(std::max<std::int64_t>(1, station_.times().countdown));
+    const double share = static_cast<double>(left_us) /
+                         static_cast<double>(std::max<std::int64_t>(
+                             1, scene_ == Scene::Cleaning ? station_.times().cleaning : station_.times().countdown));
     state.share = std::round(share * 240) / 240;
     return state;
 }
@@ -305,6 +402,8 @@ std::vector<ui::BoardTouch::Target> Shell::targets(std::int64_t now_us) const {
             return notice_screen_.targets(notice_state(), find_.layout());
         case Scene::StillThere:
             return still_screen_.targets(still_there_state(now_us), screen_);
+        case Scene::Pin:
+            return pin_screen_.targets(pin_state(now_us), screen_);
         default:
             return {};
     }
@@ -315,7 +414,9 @@ Shell::Shown Shell::shown_at(std::int64_t now_us) const {
     if (scene_ == Scene::Attract) shown.state = attract_state(now_us);
     if (scene_ == Scene::Notice) shown.state = notice_state();
     if (scene_ == Scene::Detail) shown.state = detail_.state(find_.language(), now_us);
-    if (scene_ == Scene::StillThere) shown.state = still_there_state(now_us);
+    if (scene_ == Scene::Pin) shown.state = pin_state(now_us);
+    if (scene_ == Scene::Operator) shown.state = desk_.state(find_.language(), now_us);
+    if (scene_ == Scene::StillThere || scene_ == Scene::Cleaning) shown.state = still_there_state(now_us);
     return shown;
 }
 
@@ -342,6 +443,17 @@ void Shell::draw(std::int64_t now_us, bool flip) {
             }
             painter_.paint(still_screen_.draw(std::get<ui::StillThereState>(shown_->state), screen_), screen_, flip);
             break;
+        case Scene::Pin:
+            painter_.paint(pin_screen_.draw(std::get<ui::PinState>(shown_->state), screen_), screen_, flip);
+            break;
+        case Scene::Operator:
+            painter_.paint(desk_.build(std::get<ui::StationState>(shown_->state), screen_).list, screen_, flip);
+            break;
+        case Scene::Cleaning: {
+            const auto& left = std::get<ui::StillThereState>(shown_->state);
+            painter_.paint(pin_screen_.draw_cleaning(left.language, left.share, left.seconds, screen_), screen_, flip);
+            break;
+        }
         case Scene::Detail:
             painter_.paint(detail_.draw(std::get<ui::DetailState>(shown_->state)), screen_, flip);
             break;

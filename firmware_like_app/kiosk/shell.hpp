@@ -11,9 +11,12 @@
 #include "firmware_like_app/kiosk/attract_player.hpp"
 #include "firmware_like_app/kiosk/detail_view.hpp"
 #include "firmware_like_app/kiosk/find_mode.hpp"
+#include "firmware_like_app/kiosk/operator_desk.hpp"
+#include "firmware_like_app/kiosk/pin_lock.hpp"
 #include "firmware_like_app/kiosk/station.hpp"
 #include "ui/screens/attract_screen.hpp"
 #include "ui/screens/notice_screen.hpp"
+#include "ui/screens/pin_screen.hpp"
 #include "ui/screens/still_there_screen.hpp"
 
 namespace app {
@@ -23,8 +26,10 @@ struct ShellOptions {
     CollectionState collection = CollectionState::Ready;
     std::size_t language = 0;  ///< of every new visitor
     ui::Hand hand = ui::Hand::Right;
-    bool attract = true;           ///< false: home is the empty sheet
-    bool every_frame_seen = true;  ///< false: pictures are made on request, and searches are waited for
+    bool attract = true;               ///< false: home is the empty sheet
+    std::string pin = "000000";        ///< of the station page
+    OperatorDesk::Setup station = {};  ///< what the station page shows and changes
+    bool every_frame_seen = true;      ///< false: pictures are made on request, and searches are waited for
 };
 
 /// How far the reading of the collection is.
@@ -56,6 +61,13 @@ class Shell {
     void set_collection(CollectionState state, const CollectionProgress& progress, std::int64_t now_us);
     void set_tablet(bool there, std::int64_t now_us);
     void expect_tablet(std::int64_t now_us);
+    /// The operator's wishes for the program as a whole.
+    [[nodiscard]] bool exit_wanted() const { return exit_wanted_; }
+    [[nodiscard]] bool restart_wanted() const { return restart_wanted_; }
+    void set_facts(StationFacts facts) { desk_.set_facts(std::move(facts)); }
+    [[nodiscard]] ui::StationPage station_page(std::int64_t now_us) const {
+        return desk_.build(desk_.state(find_.language(), now_us), screen_);
+    }
     /// To the sheet at once, as replays need it.
     void open_sheet(std::int64_t now_us);
 
@@ -70,6 +82,10 @@ class Shell {
     void go_on(std::int64_t now_us);
     void entered(std::int64_t now_us);
     void note_board();
+    void cancel_touches(std::int64_t now_us);
+    void enter_digit(char digit, std::int64_t now_us);
+    void take_wishes(std::int64_t now_us);
+    void take_settings(const Config& config);
     void open_detail(const FindMode::OpenedCard& card, std::int64_t now_us);
     void press(const ui::WindowEvent& event);
     void release(const ui::WindowEvent& event);
@@ -81,11 +97,12 @@ class Shell {
     [[nodiscard]] std::vector<ui::BoardTouch::Target> targets(std::int64_t now_us) const;
     [[nodiscard]] ui::AttractState attract_state(std::int64_t now_us) const;
     [[nodiscard]] ui::NoticeState notice_state() const;
+    [[nodiscard]] ui::PinState pin_state(std::int64_t now_us) const;
     [[nodiscard]] ui::StillThereState still_there_state(std::int64_t now_us) const;
 
     /// What the last frame of a scene showed, but for the modes, which know for themselves.
-    using SceneState =
-        std::variant<std::monostate, ui::AttractState, ui::NoticeState, ui::StillThereState, ui::DetailState>;
+    using SceneState = std::variant<std::monostate, ui::AttractState, ui::NoticeState, ui::StillThereState,
+                                    ui::DetailState, ui::PinState, ui::StationState>;
     struct Shown {
         Scene scene;
         ui::SizePx screen;
@@ -106,6 +123,10 @@ class Shell {
     ui::AttractScreen attract_screen_;
     ui::NoticeScreen notice_screen_;
     ui::StillThereScreen still_screen_;
+    ui::PinScreen pin_screen_;
+    PinLock pin_lock_;
+    OperatorDesk desk_;
+    bool exit_wanted_ = false, restart_wanted_ = false;
 
     ui::BoardTouch touch_;
     bool swallow_ = false;  // until the tip lifts, nothing more of it counts

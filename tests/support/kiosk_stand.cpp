@@ -21,13 +21,14 @@ KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOp
       fonts_(std::make_unique<ui::FontSet>(value_of(ui::FontSet::load()))),
       languages(value_of(ui::Strings::load_all())),
       figures(make_animals()),
-      searcher(std::shared_ptr<app::Searcher>(&figures, [](app::Searcher*) {})),
+      collection(&figures),
       size(wanted) {
     options.every_frame_seen = false;
+    if (options.station.collection == nullptr) options.station.collection = &collection;
     find_options.language = options.language;
     find_options.hand = options.hand;
-    find = value_of(app::FindMode::create(*fonts_, languages, &searcher, find_options, size));
-    shell = value_of(app::Shell::create(*fonts_, languages, *find, &searcher, options, size, now_us));
+    find = value_of(app::FindMode::create(*fonts_, languages, &collection.searcher(), find_options, size));
+    shell = value_of(app::Shell::create(*fonts_, languages, *find, &collection.searcher(), options, size, now_us));
 }
 
 void KioskStand::wait(double seconds) {
@@ -71,6 +72,25 @@ void KioskStand::draw_horse() {
     find->search_and_wait();
     find->settle(true);
     shell->update_ink();
+}
+
+void KioskStand::type(const std::string& digits) {
+    const ui::PinScreen screen(*fonts_, languages);
+    for (const char digit : digits) {
+        for (const ui::BoardTouch::Target& target : screen.targets({}, size)) {
+            if (target.control != ui::Control::Digit || target.item != static_cast<std::size_t>(digit - '0')) continue;
+            tap(target.rect);
+            break;
+        }
+    }
+}
+
+void KioskStand::press_station(ui::StationAction action, std::size_t index) {
+    const ui::StationPage page = shell->station_page(now_us);
+    for (const ui::BoardTouch::Target& target : page.targets) {
+        if (target.item == ui::station_item(action, index)) return tap(target.rect);
+    }
+    throw std::runtime_error("the station page has no such control now");
 }
 
 core::RgbaImage KioskStand::picture() {

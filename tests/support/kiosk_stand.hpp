@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "firmware_like_app/kiosk/live_searcher.hpp"
+#include "firmware_like_app/kiosk/collection_host.hpp"
 #include "firmware_like_app/kiosk/shell.hpp"
 #include "tests/support/figures.hpp"
 #include "ui/gl/headless_context.hpp"
@@ -25,6 +25,10 @@ class KioskStand {
     void stroke(double x0, double y0, double x1, double y1);
     /// The horse of make_horse_drawing() drawn with the pointer into the middle of the sheet; its answer is waited for.
     void draw_horse();
+    /// Digits on the PIN page.
+    void type(const std::string& digits);
+    /// A tap on the station page.
+    void press_station(ui::StationAction action, std::size_t index = 0);
     [[nodiscard]] core::RgbaImage picture();
     [[nodiscard]] app::Scene scene() const { return shell->station().scene(); }
 
@@ -35,7 +39,7 @@ class KioskStand {
   public:
     std::vector<ui::Strings> languages;
     FigureSearcher figures;
-    app::LiveSearcher searcher;
+    app::FixedCollection collection;
     std::unique_ptr<app::FindMode> find;
     std::unique_ptr<app::Shell> shell;
     std::int64_t now_us = 1'000'000;

@@ -27,13 +27,35 @@ void to_drawing(KioskStand& kiosk) {
     kiosk.draw_horse();
 }
 
+/// Holds the corner.
+void to_pin(KioskStand& kiosk) {
+    to_sheet(kiosk);
+    kiosk.event(ui::WindowEvent::Kind::Down, 20, 20);
+    kiosk.wait(3.1);
+    kiosk.event(ui::WindowEvent::Kind::Up, 20, 20);
+}
+
+app::CollectionStatus adding() {
+    app::CollectionStatus status;
+    status.models = 1258;
+    status.views = 2516;
+    status.median_search_ms = 74;
+    status.can_add = status.importing = true;
+    status.done = 26;
+    status.total = 40;
+    status.minutes_left = 3;
+    return status;
+}
+
 void nothing(KioskStand& kiosk) {
     kiosk.wait(0.05);
 }
 
 }  // namespace
 
-std::vector<NamedScene> all_scenes() {
+namespace {
+
+std::vector<NamedScene> make_scenes() {
     app::ShellOptions left;
     left.hand = ui::Hand::Left;
     return {
@@ -65,6 +87,40 @@ std::vector<NamedScene> all_scenes() {
              k.stroke(s.centre_x(), s.centre_y(), s.centre_x() + s.width * 0.2, s.centre_y() + s.height * 0.06);
              k.wait(0.1);
          }},
+        {"pin",
+         {},
+         [](KioskStand& k) {
+             to_pin(k);
+             k.type("135");
+         }},
+        {"pin-wrong-fr", in_language(1),
+         [](KioskStand& k) {
+             to_pin(k);
+             for (int i = 0; i < 3; ++i) k.type("135791");
+         }},
+        {"station",
+         {},
+         [](KioskStand& k) {
+             to_pin(k);
+             k.type("000000");
+             k.wait(0.1);
+         }},
+        {"station-adding-de", in_language(2),
+         [](KioskStand& k) {
+             to_pin(k);
+             k.collection.set_status(adding());
+             k.type("000000");
+             k.wait(0.1);
+         }},
+        {"cleaning",
+         {},
+         [](KioskStand& k) {
+             to_pin(k);
+             k.type("000000");
+             k.wait(0.1);
+             k.press_station(ui::StationAction::Clean);
+             k.wait(4);
+         }},
         {"still-there",
          {},
          [](KioskStand& k) {
@@ -92,6 +148,17 @@ std::vector<NamedScene> all_scenes() {
              k.wait(0.05);
          }},
     };
+}
+
+}  // namespace
+
+std::vector<NamedScene> all_scenes() {
+    std::vector<NamedScene> scenes = make_scenes();
+    for (NamedScene& scene : scenes) {
+        scene.large = scene.name == "attract-form" || scene.name == "drawing" || scene.name == "detail" ||
+                      scene.name == "station";
+    }
+    return scenes;
 }
 
 std::vector<ui::SizePx> all_sizes() {

@@ -13,6 +13,7 @@ struct NamedScene {
     std::string name;
     app::ShellOptions options;
     std::function<void(KioskStand&)> go;
+    bool large = false;  ///< also kept at 3840 × 2160
 };
 
 [[nodiscard]] std::vector<NamedScene> all_scenes();

@@ -24,6 +24,7 @@ inline constexpr Colour kInk = Colour::hex(0x1E1B18);
 inline constexpr Colour kInkAhead = Colour::hex(0x787572);  ///< ink over sheet at 60 %, without seams
 inline constexpr Colour kMuted = Colour::hex(0x6A6259);
 inline constexpr Colour kSanguine = Colour::hex(0xA8371C);
+inline constexpr Colour kOk = Colour::hex(0x1F6B4F);  ///< the operator's ticks only
 inline constexpr Colour kSheet = Colour::hex(0xFFFDF8);
 inline constexpr Colour kBoard = Colour::hex(0xF4F0E7);
 inline constexpr Colour kWell = Colour::hex(0xEAE4D8);

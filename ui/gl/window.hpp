@@ -34,9 +34,9 @@ struct WindowEvent {
     double pressure = 1.0;     ///< 0 … 1; 1 for the mouse and for fingers that report none
     std::int64_t time_us = 0;  ///< when it happened, on the clock of Window::now_us()
     bool finger = false;
-    double zoom = 0.0;    ///< of Zoom: doublings of the size
     bool pen = false;     ///< of a tablet; a Move without a Down before it is one that hovers
     bool eraser = false;  ///< the pen's other end
+    double zoom = 0.0;    ///< of Zoom: doublings of the size
 };
 
 struct WindowOptions {

@@ -116,9 +116,56 @@ void place_tools(FindLayout& out, const Placer& at, const Numbers& n, double dow
     }
 }
 
+/// Board above, sheet below (design picture 15).
+FindLayout upright_layout(SizePx screen, Hand hand) {
+    FindLayout out;
+    out.screen = screen;
+    out.hand = hand;
+    out.upright = true;
+    out.scale = std::min(screen.width / 1080.0, screen.height / 1920.0);
+    const Placer at(screen, Hand::Right, out.scale);
+    const double width = screen.width, margin = at.round(40);
+    out.board = {0, 0, width, at.round(720)};
+    out.sheet = {0, out.board.height, width, screen.height - out.board.height};
+    out.header = {margin, at.round(32), width - 2 * margin, at.round(72)};
+    out.wordmark_baseline = at.round(81);
+
+    // the rail: the best card with four beside it, four below, across the whole width
+    const double inner = width - 2 * margin, gap = at.round(12);
+    const double best = std::round(inner * 0.504), beside = inner - best - at.round(16);
+    out.cards[0] = {margin, at.round(128), best, at.round(316)};
+    out.card_pictures[0] = {margin + best - at.round(436), at.round(132), at.round(424), at.round(264)};
+    for (std::size_t i = 0; i < kCardCount - 1; ++i) {
+        Rect& card = out.cards[i + 1];
+        const double column = static_cast<double>(i < 4 ? i % 2 : i - 4);
+        if (i < 4) {
+            const double wide = std::round((beside - gap) / 2);
+            card = {margin + best + at.round(16) + column * (wide + gap), at.round(i < 2 ? 128 : 290), wide,
+                    at.round(i < 2 ? 150 : 154)};
+        } else {
+            const double wide = std::round((inner - 3 * gap) / 4);
+            card = {margin + column * (wide + gap), at.round(460), wide, at.round(128)};
+        }
+        const double picture = std::min(card.width - at.round(72), at.round(160));
+        out.card_pictures[i + 1] = {card.right() - picture, card.y + 1, picture - 1, card.height - 2};
+    }
+    const double offsets[kToolCount] = {0, 100, 220, 318, 440};
+    for (std::size_t i = 0; i < kToolCount; ++i) {
+        const double side = at.round(88), x = margin + at.round(offsets[i]);
+        out.tools[i] = {hand == Hand::Right ? x : width - x - side, at.round(608), side, side};
+    }
+    out.footer = {margin, at.round(32), inner, at.round(72)};
+    out.language = {width - margin - at.round(240), at.round(32), at.round(240), at.round(72)};
+    out.hand_switch = {hand == Hand::Right ? width - margin - at.round(244) : margin, at.round(616), at.round(244),
+                       at.round(72)};
+    out.ink_width_px = 7.5 * out.scale;
+    return out;
+}
+
 }  // namespace
 
 FindLayout find_layout(SizePx screen, Hand hand) {
+    if (screen.height > screen.width && screen.width >= 600) return upright_layout(screen, hand);
     FindLayout out;
     out.screen = screen;
     out.hand = hand;

@@ -17,6 +17,7 @@ struct FindLayout {
     SizePx screen;
     Hand hand = Hand::Right;
     bool compact = false;  ///< the arrangement for screens below 1920 × 1080
+    bool upright = false;  ///< the board above the sheet
     double scale = 1;      ///< pixels per pixel of the design picture of this arrangement
     Rect board, sheet, header, footer;
     double wordmark_baseline = 0;
@@ -32,6 +33,7 @@ struct FindLayout {
 };
 
 /// 1920 × 1080 and larger: the wide arrangement, scaled by the smaller ratio. Smaller screens: that of 1280 × 800.
+/// Upright screens: the board above the sheet, by the ratio to 1080 × 1920; the hand swaps the ends of the tools' row.
 /// Left-handed, the board's blocks stand at width − x − their width; what is inside a block keeps its reading order.
 [[nodiscard]] FindLayout find_layout(SizePx screen, Hand hand);
 

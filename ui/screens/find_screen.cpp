@@ -80,9 +80,16 @@ class Drawer {
     /// Under the sheet, whose shadow falls on it.
     void board() {
         list_.box(l_.board, 0, palette::kBoard);
+        const double reach = l_.px(32);
+        if (l_.upright) {
+            list_.shadow({-2 * reach, l_.board.bottom(), l_.board.width + 4 * reach, 2 * reach}, 0, 0, reach,
+                         palette::kShade.faded(1.5F));
+            list_.box({0, l_.board.bottom() - 1, l_.board.width, 1}, 0, palette::kEdge.faded(1.2F));
+            draw_wordmark(list_, fonts_, l_);
+            return;
+        }
         const bool right = l_.hand == Hand::Right;
         const double edge = right ? l_.board.right() : l_.board.x;
-        const double reach = l_.px(32);
         const Rect border{right ? edge : edge - 2 * reach, -2 * reach, 2 * reach, l_.board.height + 4 * reach};
         list_.shadow(border, 0, 0, reach, palette::kShade.faded(1.5F));
         list_.box({right ? edge - 1 : edge, 0, 1, l_.board.height}, 0, palette::kEdge.faded(1.2F));
@@ -118,7 +125,7 @@ class Drawer {
     }
 
     void sheet_hint() {
-        const double cx = l_.sheet.centre_x(), cy = l_.sheet.height * 0.5;
+        const double cx = l_.sheet.centre_x(), cy = l_.sheet.centre_y();
         const double width = l_.sheet.width - l_.px(96);
         TextStyle title = type_.sheet_title;
         const double wide = fonts_.width_px(words_["hint_title"], title);

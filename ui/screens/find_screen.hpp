@@ -42,6 +42,10 @@ enum class Control {
     Tag,  ///< item: the part's colour; acts while it is held
     Smaller,
     Larger,
+    Digit,
+    EraseDigit,
+    Cancel,
+    Station,  ///< item: see station_item
 };
 
 /// Everything that Find shows, as values.

@@ -50,6 +50,17 @@ std::string text_of(const NoticeState& state, const Strings& words) {
     return progress + "\n" + text;
 }
 
+/// On upright screens the switches stand at the bottom: there is no board above.
+FindLayout with_footer_below(FindLayout l) {
+    if (!l.upright) return l;
+    const double y = l.screen.height - l.px(32) - l.language.height;
+    l.language.x = l.header.x;
+    l.language.y = y;
+    l.hand_switch.x = l.screen.width - l.header.x - l.hand_switch.width;
+    l.hand_switch.y = y;
+    return l;
+}
+
 std::string button_key(Notice notice) {
     return notice == Notice::NoTablet ? "draw_by_touch" : "start_drawing";
 }
@@ -97,12 +108,12 @@ DrawList NoticeScreen::draw(const NoticeState& state, const FindLayout& l) const
     }
     draw_button(list, *fonts_, button(state, l), words[button_key(state.notice)], s.text(Face::SemiBold, 24),
                 ButtonKind::Primary, state.pressed == Control::StartDrawing, s.px(2));
-    draw_footer(list, *fonts_, *languages_, state.language, l, state.pressed, state.pressed_item);
+    draw_footer(list, *fonts_, *languages_, state.language, with_footer_below(l), state.pressed, state.pressed_item);
     return list;
 }
 
 std::vector<BoardTouch::Target> NoticeScreen::targets(const NoticeState& state, const FindLayout& layout) const {
-    std::vector<BoardTouch::Target> all = footer_targets(layout, languages_->size());
+    std::vector<BoardTouch::Target> all = footer_targets(with_footer_below(layout), languages_->size());
     all.push_back({Control::StartDrawing, 0, button(state, layout)});
     return all;
 }

@@ -100,9 +100,16 @@ TEST_CASE("dragging turns, the wheel and the buttons zoom within bounds, idlenes
     kiosk->tap(layout.smaller);
     const bool same = at_rest() == first;
     CHECK(same);
-    kiosk->shell->pointer({Kind::Zoom, 0, 0, 1, kiosk->now_us, false, -50.0});
+    const auto turn_wheel = [&](double doublings) {
+        ui::WindowEvent wheel;
+        wheel.kind = Kind::Zoom;
+        wheel.zoom = doublings;
+        wheel.time_us = kiosk->now_us;
+        kiosk->shell->pointer(wheel);
+    };
+    turn_wheel(-50);
     const auto least = at_rest();
-    kiosk->shell->pointer({Kind::Zoom, 0, 0, 1, kiosk->now_us, false, -1.0});
+    turn_wheel(-1);
     const bool bounded = at_rest() == least;
     CHECK(bounded);
     const double azimuth = state(*kiosk).azimuth;

@@ -84,3 +84,30 @@ TEST_CASE("on every size nothing overlaps, leaves the screen or is too small to 
         }
     }
 }
+
+TEST_CASE("on an upright screen the board stands above the sheet, and nothing overlaps", "[find layout]") {
+    for (const ui::SizePx size : {ui::SizePx{1080, 1920}, ui::SizePx{1200, 1920}, ui::SizePx{2160, 3840}}) {
+        for (const ui::Hand hand : {ui::Hand::Right, ui::Hand::Left}) {
+            const ui::FindLayout l = ui::find_layout(size, hand);
+            REQUIRE(l.upright);
+            CHECK(l.sheet.y == l.board.bottom());
+            CHECK(l.sheet.bottom() == size.height);
+            CHECK(l.sheet.width == size.width);
+            std::vector<ui::Rect> blocks(l.cards.begin(), l.cards.end());
+            blocks.insert(blocks.end(), l.tools.begin(), l.tools.end());
+            blocks.push_back(l.language);
+            blocks.push_back(l.hand_switch);
+            for (std::size_t i = 0; i < blocks.size(); ++i) {
+                CHECK(blocks[i].height >= 64);
+                CHECK(blocks[i].x >= 0);
+                CHECK(blocks[i].right() <= size.width);
+                CHECK(blocks[i].bottom() <= l.board.bottom());
+                for (std::size_t k = i + 1; k < blocks.size(); ++k) {
+                    const ui::Rect &a = blocks[i], &b = blocks[k];
+                    const bool apart = a.right() <= b.x || b.right() <= a.x || a.bottom() <= b.y || b.bottom() <= a.y;
+                    CHECK(apart);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,67 @@
+// croquis doctor: what is fine, what is not, what to do.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "firmware_like_app/commands/commands.hpp"
+#include "firmware_like_app/health/self_test.hpp"
+
+namespace app {
+namespace {
+
+struct DoctorOptions {
+    std::string config, database;
+    bool json = false;
+};
+
+void print_for_people(const std::vector<Check>& checks) {
+    for (const Check& check : checks) {
+        std::printf("%-8s %-10s %s\n", check.good ? "fine" : "look at", check.name.c_str(), check.found.c_str());
+        if (!check.advice.empty()) std::printf("%-8s %-10s -> %s\n", "", "", check.advice.c_str());
+    }
+}
+
+void print_as_json(const std::vector<Check>& checks, bool good) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Check& check : checks) {
+        all.push_back({{"name", check.name}, {"good", check.good}, {"found", check.found}, {"advice", check.advice}});
+    }
+    const nlohmann::ordered_json out{{"good", good}, {"checks", all}};
+    std::printf("%s\n", out.dump().c_str());
+}
+
+void run_doctor(const DoctorOptions& options, CommandState& state) {
+    Config config;
+    if (!options.config.empty()) {
+        const core::Result<Config> file = read_config(options.config);
+        if (!file) return fail(state, file.error());
+        config = *file;
+    }
+    if (!options.database.empty()) config.collection.database = options.database;
+    std::vector<Check> checks = check_machine();
+    for (Check& check : check_station(config, options.config)) checks.push_back(std::move(check));
+    bool good = true;
+    for (const Check& check : checks) good = good && check.good;
+    if (options.json) {
+        print_as_json(checks, good);
+    } else {
+        print_for_people(checks);
+    }
+    if (!good) state.exit_code = 1;
+}
+
+}  // namespace
+
+void add_doctor_command(CLI::App& cli, CommandState& state) {
+    auto options = std::make_shared<DoctorOptions>();
+    CLI::App* command =
+        cli.add_subcommand("doctor", "Looks at screen, graphics, tablets, fonts, database, disk and permissions");
+    command->add_option("--config", options->config, "the settings of the station");
+    command->add_option("--db", options->database, "the index, where no settings name it");
+    command->add_flag("--json", options->json, "one JSON object on standard output");
+    command->callback([options, &state] { run_doctor(*options, state); });
+}
+
+}  // namespace app

@@ -1,0 +1,92 @@
+// Visitors come and go: each wakes the kiosk, draws, looks at a result, chooses a language, and leaves; the idle wipe
+// does the rest. Says how memory and file handles grow.
+//
+//     many_visitors [VISITORS] [REPLAY.ndjson …]      2000 and a built drawing where nothing is given
+//
+// Exit code 1 when memory grew by 1 MB or more after the first 100 visitors, or handles by any.
+
+#include <malloc.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "core/exchange/quickdraw_reader.hpp"
+#include "firmware_like_app/health/self_test.hpp"
+#include "firmware_like_app/kiosk/placing.hpp"
+#include "tests/support/kiosk_stand.hpp"
+
+namespace {
+
+constexpr int kWarm = 100;
+constexpr double kMostGrowth_mb = 1.0;
+
+void draw(test::KioskStand& kiosk, const core::Drawing& drawing) {
+    const ui::Rect sheet = kiosk.find->layout().sheet;
+    const ui::InkFrame frame = app::fit_drawing(drawing, sheet.width, sheet.height, 0.14);
+    for (const core::Stroke& stroke : drawing.strokes) {
+        core::Point p;
+        for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
+            p = frame.to_px({stroke.samples[i].x, stroke.samples[i].y}) + core::Point{sheet.x, sheet.y};
+            kiosk.event(i == 0 ? ui::WindowEvent::Kind::Down : ui::WindowEvent::Kind::Move, p.x, p.y);
+        }
+        kiosk.event(ui::WindowEvent::Kind::Up, p.x, p.y);
+        kiosk.shell->update_ink();
+    }
+    kiosk.find->search_and_wait();
+    kiosk.find->settle(true);
+}
+
+void visit(test::KioskStand& kiosk, int number, const core::Drawing& drawing) {
+    kiosk.wait(0.2);
+    kiosk.tap(kiosk.size.width * 0.7, kiosk.size.height * 0.5);  // wakes
+    draw(kiosk, drawing);
+    (void)kiosk.picture();
+    if (number % 4 == 0) {
+        kiosk.tap(kiosk.find->layout().cards[static_cast<std::size_t>(number / 4 % 9)]);
+        kiosk.wait(0.4);
+        (void)kiosk.picture();
+    }
+    if (number % 3 == 0) kiosk.find->set_language(static_cast<std::size_t>(number / 3 % 3));
+    if (number % 10 == 0) kiosk.tap(kiosk.find->layout().hand_switch);
+    kiosk.wait(90);  // Still there?, and the wipe
+}
+
+double settled_mb() {
+    malloc_trim(0);
+    return app::resident_mb();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int visitors = argc > 1 ? std::atoi(argv[1]) : 2000;
+    std::vector<core::Drawing> drawings;
+    for (int i = 2; i < argc; ++i) {
+        if (core::Result<core::Drawing> drawing = core::read_quickdraw(argv[i]))
+            drawings.push_back(std::move(*drawing));
+    }
+    if (drawings.empty()) drawings.push_back(test::make_horse_drawing());
+    test::KioskStand kiosk({640, 480});
+    double warm_mb = 0;
+    int warm_handles = 0;
+    for (int i = 0; i < visitors; ++i) {
+        visit(kiosk, i, drawings[static_cast<std::size_t>(i) % drawings.size()]);
+        if (kiosk.scene() != app::Scene::Attract || !kiosk.find->sketch().empty()) {
+            std::printf("visitor %d was not wiped\n", i);
+            return 1;
+        }
+        if (i + 1 == kWarm) {
+            warm_mb = settled_mb();
+            warm_handles = app::open_handles();
+        }
+        if ((i + 1) % 100 == 0) {
+            std::printf("%5d visitors: %.2f MB, %d handles\n", i + 1, settled_mb(), app::open_handles());
+            std::fflush(stdout);
+        }
+    }
+    const double growth_mb = settled_mb() - warm_mb;
+    const int more_handles = app::open_handles() - warm_handles;
+    std::printf("after the first %d: %+.2f MB, %+d handles\n", kWarm, growth_mb, more_handles);
+    return growth_mb < kMostGrowth_mb && more_handles == 0 ? 0 : 1;
+}
