@@ -12,8 +12,9 @@
 //     -4 alpha * 1/2 sum over quads |a - b + c - d|^2  +  (1 + 4 alpha) * 1/2 sum over edges |p - q|^2
 //
 // so the system is symmetric, and positive definite for alpha in (-1/4, 0]. We solve it by a sparse Cholesky factor
-// (core/garment/frontal_factor.hpp), whose symbolic part is done once for a topology. alpha = 0 is harmonic and flat; towards alpha = -1/4, where a grid of four
-// sides becomes the discrete Coons patch, the shape of the boundary travels further in.
+// (core/garment/frontal_factor.hpp), whose symbolic part is done once for a topology. alpha = 0 is harmonic and flat;
+// towards alpha = -1/4, where a grid of four sides becomes the discrete Coons patch, the shape of the boundary travels
+// further in.
 
 #include <cstdint>
 #include <memory>
