@@ -42,6 +42,13 @@ FieldSample Obstacle::sample(Vec3 p) const {
     return least;
 }
 
+FieldSample Obstacle::quick_sample(Vec3 p) const {
+    FieldSample least = body_.quick_sample(p);
+    for (const DistanceGrid& layer : layers_)
+        if (const FieldSample s = layer.quick_sample(p); s.distance < least.distance) least = s;
+    return least;
+}
+
 double Obstacle::distance(Vec3 p) const {
     double least = body_.distance(p);
     for (const DistanceGrid& layer : layers_) least = std::min(least, layer.distance(p));

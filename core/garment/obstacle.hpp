@@ -23,6 +23,7 @@ class Obstacle {
     /// The least distance to the body and to every layer near by.
     [[nodiscard]] FieldSample sample(Vec3 p) const;
     [[nodiscard]] double distance(Vec3 p) const;
+    [[nodiscard]] FieldSample quick_sample(Vec3 p) const;  ///< see DistanceGrid::quick_sample
 
     /// The surfaces themselves: the body, then each layer.
     [[nodiscard]] const std::vector<QuadMesh>& surfaces() const { return surfaces_; }

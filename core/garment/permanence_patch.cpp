@@ -1,19 +1,19 @@
 #include "core/garment/permanence_patch.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
 
+#include "core/garment/frontal_factor.hpp"
 #include "core/mesh/flow_loops.hpp"
 
 namespace core {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  // a place each
+using Rows = FrontalFactor::Rows;  // a place each
 
 /// From here on towards -1/4 the system's condition costs digits, which one step of refinement brings back.
 constexpr double kRefineBelow = -0.24;
@@ -40,8 +40,8 @@ struct PermanencePatch::System {
     /// Where each quad's corner pair goes: an index into the values of `inner` or, from inner.nonZeros() on, of
     /// `coupling`; kNowhere for what is fixed or in the upper triangle.
     std::vector<std::array<std::uint32_t, 16>> slots;
-    Eigen::SimplicialLDLT<Matrix, Eigen::Lower> factor;
-    Rows boundary, right, moved, answer;
+    FrontalFactor factor;
+    Rows boundary, right, answer;
 
     static constexpr std::uint32_t kNowhere = ~0U;
 
@@ -61,7 +61,7 @@ struct PermanencePatch::System {
         coupling.resize(count, fixed);
         coupling.setFromTriplets(across.begin(), across.end());
         find_slots();
-        factor.analyzePattern(inner);
+        factor.analyse(inner);
     }
 
     static std::uint32_t slot(const Matrix& matrix, int row, int column) {
@@ -96,26 +96,13 @@ struct PermanencePatch::System {
                     quad[k] < inner_count ? inner.valuePtr()[quad[k]] : coupling.valuePtr()[quad[k] - inner_count];
                 value += by_step[(k / 4 + 4 - k % 4) % 4];
             }
-        factor.factorize(inner);
-        assert(factor.info() == Eigen::Success);
+        [[maybe_unused]] const bool definite = factor.factorise(inner);
+        assert(definite);
     }
 
-    /// answer += inverse of `inner` times right. All three coordinates in one pass over the factor, whose size bounds
-    /// the time.
+    /// answer += inverse of `inner` times right.
     void back_substitute() {
-        const Matrix& lower = factor.matrixL().nestedExpression();
-        const auto& diagonal = factor.vectorD();
-        moved.noalias() = factor.permutationP() * right;
-        for (int j = 0; j < lower.cols(); ++j) {
-            const Eigen::RowVector3d pivot = moved.row(j);
-            for (Matrix::InnerIterator it(lower, j); it; ++it) moved.row(it.row()) -= it.value() * pivot;
-        }
-        for (int j = static_cast<int>(lower.cols()) - 1; j >= 0; --j) {
-            Eigen::RowVector3d sum = moved.row(j) / diagonal[j];
-            for (Matrix::InnerIterator it(lower, j); it; ++it) sum -= it.value() * moved.row(it.row());
-            moved.row(j) = sum;
-        }
-        right.noalias() = factor.permutationPinv() * moved;
+        factor.solve(right);
         answer += right;
     }
 

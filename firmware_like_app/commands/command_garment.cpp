@@ -12,17 +12,18 @@
 #include "core/exchange/design_file.hpp"
 #include "core/exchange/file_bytes.hpp"
 #include "core/exchange/glb_writer.hpp"
-#include "core/exchange/mesh_reader.hpp"
 #include "core/exchange/obj_writer.hpp"
 #include "core/exchange/region_reader.hpp"
+#include "core/garment/drape.hpp"
 #include "core/garment/region.hpp"
 #include "core/garment/subdivision.hpp"
 #include "core/garment/texture.hpp"
 #include "core/garment/wardrobe.hpp"
 #include "core/mannequin/mannequin.hpp"
-#include "core/mannequin/own_body.hpp"
 #include "firmware_like_app/collection/stopwatch.hpp"
+#include "firmware_like_app/commands/command_pattern.hpp"
 #include "firmware_like_app/commands/commands.hpp"
+#include "firmware_like_app/commands/garment_form.hpp"
 
 namespace app {
 namespace {
@@ -90,22 +91,9 @@ void run_fill(const FillOptions& options, CommandState& state) {
 struct BuildOptions {
     std::string design, out, body;
     int smooth = 0;
+    double drape_s = 0.0;
     bool json = false;
 };
-
-/// What the design is worn on: its mannequin, or a mesh of the user's.
-core::Result<core::DressForm> form_for(const core::Design& design, const std::string& path) {
-    if (path.empty()) {
-        const core::Result<core::Mannequin> body = core::make_mannequin(design.body);
-        if (!body) return core::unexpected(body.error());
-        return core::dress_form(*body);
-    }
-    const core::Result<core::TriangleMesh> mesh = core::read_mesh(path);
-    if (!mesh) return core::unexpected(mesh.error());
-    core::Result<core::TriangleMesh> stood = core::stand_body(*mesh);
-    if (!stood) return core::unexpected(stood.error().code, stood.error().message, path);
-    return core::dress_form(std::move(*stood));
-}
 
 /// Finer layers, off the body and off each other again.
 core::Result<void> smooth_layers(core::Garment& garment, const core::Design& design, const core::DressForm& form,
@@ -123,6 +111,16 @@ core::Result<void> smooth_layers(core::Garment& garment, const core::Design& des
         layer.report.deepest_before_cm = before;
         obstacle->add_layer(layer.fitted.mesh);
     }
+    return {};
+}
+
+/// Hangs all layers together for some seconds.
+core::Result<void> drape_layers(core::Garment& garment, const core::DressForm& form, double seconds) {
+    const core::Result<core::Obstacle> obstacle = core::Obstacle::of_body(form);
+    if (!obstacle) return core::unexpected(obstacle.error());
+    core::Drape drape(core::joined_layers(garment.layers), *obstacle, {}, core::banded(garment.layers, *obstacle));
+    for (int step = 0; step < static_cast<int>(60.0 * seconds); ++step) drape.step();
+    core::put_places(drape.places(), garment.layers);
     return {};
 }
 
@@ -205,6 +203,8 @@ void run_build(const BuildOptions& options, CommandState& state) {
     if (options.smooth > 0)
         if (const auto done = smooth_layers(*garment, *design, *form, options.smooth); !done)
             return fail(state, done.error());
+    if (options.drape_s > 0.0)
+        if (const auto done = drape_layers(*garment, *form, options.drape_s); !done) return fail(state, done.error());
     const double ms = watch.ms();
     if (const auto written = write_garment(*garment, options.out); !written) return fail(state, written.error());
     print_garment(*garment, texture, ms, options.json);
@@ -247,6 +247,9 @@ void add_build_command(CLI::App& garment, CommandState& state) {
     command->add_option("--out", options->out, "F.obj or F.glb to write")->required();
     command->add_option("--body", options->body, "a closed mesh to dress in place of the design's mannequin");
     command->add_option("--smooth", options->smooth, "levels of Catmull-Clark subdivision")->check(CLI::Range(0, 3));
+    command
+        ->add_option("--drape", options->drape_s, "seconds that the garment hangs under gravity before it is written")
+        ->check(CLI::Range(0.0, 60.0));
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &state] { run_build(*options, state); });
 }
@@ -278,6 +281,7 @@ void add_garment_commands(CLI::App& cli, CommandState& state) {
     command->callback([options, &state] { run_fill(*options, state); });
     add_build_command(*garment, state);
     add_wardrobe_command(*garment, state);
+    add_pattern_command(*garment, state);
 }
 
 }  // namespace app

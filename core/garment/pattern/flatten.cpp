@@ -398,6 +398,20 @@ Result<std::vector<std::uint32_t>> disc_border(const QuadMesh& piece) {
     return border;
 }
 
+namespace {
+
+/// The strain that this much area has more of.
+double exceeded_by(double area, std::vector<std::pair<double, double>> strain_and_area) {
+    std::sort(strain_and_area.rbegin(), strain_and_area.rend());
+    for (const auto& [strain, size] : strain_and_area) {
+        area -= size;
+        if (area <= 0.0) return strain;
+    }
+    return 0.0;
+}
+
+}  // namespace
+
 Result<FlatPiece> flatten(const QuadMesh& piece, const FlattenOptions& options) {
     Result<std::vector<std::uint32_t>> border = disc_border(piece);
     if (!border) return unexpected(border.error());
@@ -408,19 +422,21 @@ Result<FlatPiece> flatten(const QuadMesh& piece, const FlattenOptions& options) 
     FlatPiece flat;
     flat.places = std::move(flattener.places());
     turn_up(flat.places, up_direction(piece, flattener.triangles(), flat.places));
-    std::vector<double> area(piece.quads.size(), 0.0);
     flat.strain.assign(piece.quads.size(), 0.0);
     double total = 0.0;
+    std::vector<std::pair<double, double>> areas;  // strain, area
     for (const CornerTriangle& t : flattener.triangles()) {
         double strain = 0.0;
         for (const double stretch : principal_stretches(t, flat.places))
             strain = std::max(strain, std::abs(stretch - 1.0));
         flat.mean_strain += strain * t.area;
+        areas.emplace_back(strain, t.area);
         total += t.area;
         flat.strain[t.quad] = std::max(flat.strain[t.quad], strain);
         flat.largest_strain = std::max(flat.largest_strain, strain);
     }
     if (total > 0.0) flat.mean_strain /= total;
+    flat.high_strain = exceeded_by(0.01 * total, std::move(areas));
     return flat;
 }
 

@@ -26,6 +26,7 @@ struct FlatPiece {
     std::vector<Point> places;   ///< of each vertex; anti-clockwise as the quads seen from their outer side
     std::vector<double> strain;  ///< of each quad: the larger of its two principal stretches, |stretch - 1|
     double mean_strain = 0.0, largest_strain = 0.0;  ///< mean by area
+    double high_strain = 0.0;  ///< exceeded by a hundredth of the area: slivers of quads do not count
 };
 
 /// Lays a disc of quads flat. What a plane can be bent into comes out within 0.1 % everywhere. Turned so that what is

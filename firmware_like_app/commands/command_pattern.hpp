@@ -1,0 +1,10 @@
+#pragma once
+// The flat pieces of a design, below the command "garment".
+
+#include "firmware_like_app/commands/commands.hpp"
+
+namespace app {
+
+void add_pattern_command(CLI::App& garment, CommandState& state);
+
+}  // namespace app
