@@ -125,7 +125,10 @@ void draw_rings(const std::string& folder) {
     places = in_another_stance(places);
     for (std::size_t i = 0; i < parts.size(); ++i) mirrored_parts[i].place = {-places[i].x, places[i].y};
     const Polygon one = support::horned(), other = support::mirrored(in_another_stance(support::horned()));
-    const core::ShapeDescriptor a = described(one).descriptor, b = described(other).descriptor;
+    const core::DescribedShape steps = described(one);
+    check(ui::write_description_picture(steps, "A horned animal", folder + "/steps.png"));
+    const core::ShapeDescriptor& a = steps.descriptor;
+    const core::ShapeDescriptor b = described(other).descriptor;
     const core::Match match = match_of(a, b);
     std::printf("rings: distance %.2f%s\n", match.distance, match.reversed ? ", mirrored" : "");
     check(ui::write_ring_picture({&a, &b, &match, "One animal", "its like in another stance"},
