@@ -106,7 +106,7 @@ sleep 0.7
 shot cleared
 ink=$(convert "$folder/cleared.png" -crop 20x30+750+325 +repage -colorspace Gray -format '%[fx:minima*255]' info: | cut -d. -f1)
 [ "$ink" -ge 240 ] || fail "New left ink on the sheet (darkest $ink)"
-ls "$folder"/drawings/*.ndjson >/dev/null 2>&1 || fail "the drawing was not kept"
+ls "$folder"/drawings/drawing-*.trace >/dev/null 2>&1 || fail "the drawing was not kept"
 
 xdotool key --window "$window" Escape
 for _ in $(seq 50); do
