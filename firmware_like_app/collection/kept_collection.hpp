@@ -16,7 +16,7 @@ class KeptCollection final : public CollectionHost {
         std::string database;  ///< empty: no collection, and none to add to
         /// What is new or changed in this folder is read at once; empty: nothing. An index that is not there is made.
         std::string models;
-        int jobs = 1;  ///< threads that search
+        int jobs = 1;         ///< threads that search
         int best_count = 10;  ///< nine cards, and one more to know what is just below
     };
     /// Opens at once what is there; see status() for what is missing. One search thread's worth of work is left to the

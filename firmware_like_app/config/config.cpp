@@ -105,12 +105,12 @@ std::string put(const Option& option, const toml::node& node, Config& config) {
     } else if (const auto* number = std::get_if<2>(&option.place)) {
         const auto value = node.value<double>();
         if (!value || node.is_boolean() || !std::isfinite(*value)) return "it must be a number";
-        if (const std::string wrong = out_of_bounds(option, *value); !wrong.empty()) return wrong;
+        if (std::string wrong = out_of_bounds(option, *value); !wrong.empty()) return wrong;
         (*number)(config) = *value;
     } else if (const auto* whole = std::get_if<3>(&option.place)) {
         const auto value = node.value_exact<std::int64_t>();
         if (!value) return "it must be a whole number";
-        if (const std::string wrong = out_of_bounds(option, static_cast<double>(*value)); !wrong.empty()) return wrong;
+        if (std::string wrong = out_of_bounds(option, static_cast<double>(*value)); !wrong.empty()) return wrong;
         (*whole)(config) = *value;
     } else {
         const toml::array* array = node.as_array();
@@ -124,6 +124,14 @@ std::string put(const Option& option, const toml::node& node, Config& config) {
         std::get<4>(option.place)(config) = std::move(values);
     }
     return option.check ? option.check(config) : "";
+}
+
+std::string is_wrong(const std::string& key, const std::string& what) {
+    return "\"" + key + "\" is wrong: " + what;
+}
+
+std::string assignment_of(const std::string& key, const std::string& value) {
+    return key + "=" + value;
 }
 
 core::Result<void> take_table(const toml::table& root, const std::string& where, Config& config) {
@@ -142,7 +150,7 @@ core::Result<void> take_table(const toml::table& root, const std::string& where,
                 return bad(where, key.source(), "\"" + whole + "\" is not known" + meant(whole, all_keys()));
             }
             const std::string wrong = put(*option, value, config);
-            if (!wrong.empty()) return bad(where, key.source(), "\"" + whole + "\" is wrong: " + wrong);
+            if (!wrong.empty()) return bad(where, key.source(), is_wrong(whole, wrong));
         }
     }
     return {};
@@ -311,7 +319,7 @@ core::Result<void> save_options(const std::string& path,
     for (std::string line; std::getline(in, line);) lines.push_back(line);
     Config config;
     for (const auto& [key, value] : options) {
-        if (const core::Result<void> put_in = set_option(config, key + "=" + value); !put_in) return put_in;
+        if (core::Result<void> put_in = set_option(config, assignment_of(key, value)); !put_in) return put_in;
         const Option& option = *find_option(key);
         set_line(lines, option, value_text(option, config));
     }

@@ -48,6 +48,29 @@ std::vector<ui::PartRegion> regions_of(const FoundModel& model) {
     return regions;
 }
 
+/// Whether some of the surface stands between the point and a viewer in that direction (Moeller, Trumbore 1997).
+/// Linear.
+bool is_covered(const ui::ModelGeometry& surface, core::Vec3 point, core::Vec3 toward) {
+    constexpr double kItself = 0.05;  // nearer than this it is the part's own surface
+    const auto corner = [&](std::size_t i) {
+        const float* f = surface.corners.data() + i * 9;
+        return core::Vec3{f[0], f[1], f[2]};
+    };
+    for (std::size_t i = 0; i + 2 < static_cast<std::size_t>(surface.corner_count()); i += 3) {
+        const core::Vec3 a = corner(i), ab = corner(i + 1) - a, ac = corner(i + 2) - a;
+        const core::Vec3 p = core::cross(toward, ac);
+        const double det = core::dot(ab, p);
+        if (std::abs(det) < 1e-12) continue;
+        const core::Vec3 from = point - a;
+        const double u = core::dot(from, p) / det;
+        if (u < 0 || u > 1) continue;
+        const core::Vec3 q = core::cross(from, ab);
+        const double v = core::dot(toward, q) / det;
+        if (v >= 0 && u + v <= 1 && core::dot(ac, q) / det > kItself) return true;
+    }
+    return false;
+}
+
 bool cross(const ui::DetailTag& a, const ui::DetailTag& b) {
     const auto side = [](core::Point p, core::Point q, core::Point r) { return core::cross(q - p, r - p) > 0; };
     return side(a.anchor, a.place, b.anchor) != side(a.anchor, a.place, b.place) &&
@@ -106,9 +129,12 @@ void DetailView::show(std::size_t index, std::int64_t now_us, ui::Painter& paint
     focus_.reset();
     touch_.cancel();
     lifted_ = {};
+    surface_ = {};
+    covered_.clear();
     const FoundModel& model = found();
     if (model.mesh && !model.mesh->empty()) {
-        lifted_ = ui::lift_parts(ui::make_model_geometry(*model.mesh), model.camera, regions_of(model));
+        surface_ = ui::make_model_geometry(*model.mesh);
+        lifted_ = ui::lift_parts(surface_, model.camera, regions_of(model));
         stage_.set_model(lifted_.geometry, ui::find_ground_contacts(lifted_.geometry, model.camera.up));
     } else {
         stage_.clear_model();
@@ -205,6 +231,8 @@ void DetailView::close(ui::Painter& painter) {
     stage_.clear_model();
     ink_.resize({1, 1});
     lifted_ = {};
+    surface_ = {};
+    covered_.clear();
     drawing_ = {};
     cards_.clear();
     answer_.reset();
@@ -317,6 +345,10 @@ void DetailView::update(std::int64_t now_us) {
     if (view_ && *view_ == now && !draft_) return;
     view_ = now;
     ++view_number_;
+    covered_.clear();
+    for (const ui::LiftedAnchor& anchor : lifted_.anchors) {
+        covered_.push_back(is_covered(surface_, anchor.place, now.camera.direction));
+    }
 }
 
 void DetailView::draw_model(ui::Painter& painter) {
@@ -367,7 +399,9 @@ std::vector<ui::DetailTag> DetailView::model_tags() const {
         tag.colour = anchor.colour;
         const core::Point p = v.to_px(anchor.place);
         tag.anchor = {p.x + layout_.stage.x, p.y + layout_.stage.y};
-        tag.hidden = core::dot(anchor.normal, v.camera.direction) < 0.05;
+        const std::size_t place = tags.size();
+        tag.hidden =
+            core::dot(anchor.normal, v.camera.direction) < 0.05 || (place < covered_.size() && covered_[place]);
         angles.push_back(std::atan2((tag.anchor.y - centre.y) / ry, (tag.anchor.x - centre.x) / rx));
         tags.push_back(tag);
     }

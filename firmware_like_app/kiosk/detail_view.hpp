@@ -85,6 +85,8 @@ class DetailView {
     std::vector<std::size_t> similar_;         // places in the answer
     std::vector<ui::Texture> similar_pictures_;
     ui::LiftedModel lifted_;
+    ui::ModelGeometry surface_;                              // uncut: what may stand before a part
+    std::vector<bool> covered_;                              // for each anchor, in the view as it is
     double ground_ = -1, fit_scale_ = 1, plane_middle_ = 0;  // of the model in its first view
     double wide_ = 1, tall_ = 1;                             // units
 

@@ -82,6 +82,31 @@ ink=$(convert "$folder/drawn.png" -crop 20x30+750+325 +repage -colorspace Gray -
 card=$(colours "$folder/drawn.png" 376x212+24+100)
 [ "$card" -ge 100 ] || fail "no coloured model on the best card (saturation $card)"
 
+# The best card opens its model, large and coloured; "Keep drawing" brings the sheet back with its ink.
+click() {
+    xdotool mousemove "$1" "$2" mousedown 1
+    sleep 0.1
+    xdotool mouseup 1
+    sleep 0.2
+}
+click 212 206
+for _ in $(seq 40); do
+    shot detail
+    # where the tools stood there is paper now
+    [ "$(mean "$folder/detail.png" 20x40+425+185)" -ge 240 ] && break
+    sleep 0.25
+done
+[ "$(mean "$folder/detail.png" 20x40+425+185)" -ge 240 ] || fail "a tap on the best card did not open it"
+sleep 0.6
+shot detail
+model=$(colours "$folder/detail.png" 500x330+580+270)
+[ "$model" -ge 100 ] || fail "no coloured model after a tap on its card (saturation $model)"
+click 100 56
+sleep 0.7
+shot back
+ink=$(convert "$folder/back.png" -crop 20x30+750+325 +repage -colorspace Gray -format '%[fx:minima*255]' info: | cut -d. -f1)
+[ "$ink" -le 60 ] || fail "the ink is gone after looking at a result (darkest $ink)"
+
 # The screen is taken by another window and given back: everything is there again.
 xdotool windowunmap --sync "$window"
 sleep 0.3

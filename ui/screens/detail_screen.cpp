@@ -24,6 +24,11 @@ class Placer {
     Hand hand_;
 };
 
+/// Of a similar card, three a row.
+double row_of(std::size_t i) {
+    return i < 3 ? 0 : 1;
+}
+
 void lay_out_wide(DetailLayout& l) {
     const ScreenScale& s = l.scale;
     const Placer place(s, l.hand);
@@ -36,8 +41,8 @@ void lay_out_wide(DetailLayout& l) {
     l.also_close_y = s.px(658);
     const Rect block = place.at(40, 672, 512, 360);
     for (std::size_t i = 0; i < kSimilarCount; ++i) {
-        l.similar[i] = {block.x + s.px(176.0 * static_cast<double>(i % 3)),
-                        block.y + s.px(188.0 * static_cast<double>(i / 3)), s.px(160), s.px(172)};
+        l.similar[i] = {block.x + s.px(176.0 * static_cast<double>(i % 3)), block.y + s.px(188.0 * row_of(i)),
+                        s.px(160), s.px(172)};
     }
     l.name_x = l.sheet.x + s.px(72);
     l.name_y = s.px(106);
@@ -62,7 +67,7 @@ void lay_out_upright(DetailLayout& l) {
     l.also_close_y = s.px(150);
     for (std::size_t i = 0; i < kSimilarCount; ++i) {
         l.similar[i] = {s.width() - s.px(40) - s.px(532) + s.px(182.0 * static_cast<double>(i % 3)),
-                        s.px(164) + s.px(220.0 * static_cast<double>(i / 3)), s.px(168), s.px(208)};
+                        s.px(164) + s.px(220.0 * row_of(i)), s.px(168), s.px(208)};
     }
     l.name_x = s.px(64);
     l.name_y = board + s.px(106);

@@ -1,5 +1,6 @@
 #include "firmware_like_app/kiosk/detail_view.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/support/kiosk_stand.hpp"
@@ -138,6 +139,24 @@ TEST_CASE("another close model opens in place of the first", "[detail]") {
     CHECK(kiosk->scene() == Scene::Detail);
     CHECK(state(*kiosk).name == name);
     CHECK(state(*kiosk).similar.size() == 6);
+}
+
+TEST_CASE("turned to the back, parts that are behind others say so", "[detail]") {
+    const auto kiosk = opened(0);
+    kiosk->wait(5);
+    const auto hidden = [&] {
+        const std::vector<ui::DetailTag> tags = state(*kiosk).model_tags;
+        return std::count_if(tags.begin(), tags.end(), [](const ui::DetailTag& t) { return t.hidden; });
+    };
+    const auto at_first = hidden();
+    const ui::DetailLayout layout = kiosk->shell->detail().layout();
+    const double half_turn_px = layout.ring_radius * 3.14159 / 2;
+    for (int i = 0; i < 2; ++i) {
+        const double x = layout.sheet.centre_x() - half_turn_px / 2, y = layout.sheet.centre_y();
+        kiosk->stroke(x, y, x + half_turn_px, y);
+    }
+    kiosk->wait(0.1);
+    CHECK(hidden() > at_first + 3);
 }
 
 TEST_CASE("no two lines of numbers cross, however the model is turned", "[detail]") {
