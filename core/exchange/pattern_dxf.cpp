@@ -65,6 +65,7 @@ class DxfText {
 
 std::vector<Point> in_mm(const std::vector<Point>& cm) {
     std::vector<Point> out;
+    out.reserve(cm.size());
     for (const Point p : cm) out.push_back(p * 10.0);
     return out;
 }
