@@ -50,7 +50,7 @@ class LiveSearcher final : public Searcher {
 
   private:
     using Ask = SearchAnswer (Searcher::*)(const core::Drawing&, std::stop_token);
-    SearchAnswer ask(Ask how, const core::Drawing& drawing, std::stop_token stop) {
+    SearchAnswer ask(Ask how, const core::Drawing& drawing, const std::stop_token& stop) {
         const std::lock_guard lock(searching_);
         const std::shared_ptr<Searcher> searcher = current();
         if (!searcher) return {};
