@@ -5,7 +5,6 @@
 #include "core/geometry/polygon.hpp"
 #include "support/shapes.hpp"
 
-using core::Point;
 using core::Polygon;
 
 namespace {
@@ -74,7 +73,7 @@ TEST_CASE("corners do not depend on place and size", "[corners]") {
 
 TEST_CASE("a corner exceeds more than the extent of its window", "[corners]") {
     // Window 4, extent 1/2: three of the four points around must be lower.
-    const auto found = [](std::vector<double> v) { return core::corners(v, 4, 0.5); };
+    const auto found = [](const std::vector<double>& v) { return core::corners(v, 4, 0.5); };
     CHECK(found({0, 0, 0, 1, 2, 1, 0, 0, 0, 0}) == std::vector<int>{4});
     // A plateau of two points: the second is not lower than the first, three others are.
     CHECK(found({0, 0, 0, 2, 2, 0, 0, 0, 0, 0}) == std::vector<int>{3});

@@ -67,7 +67,8 @@ TEST_CASE("numbers that are none are refused", "[drawing_builder]") {
         DrawingBuilder builder;
         CHECK_FALSE(builder.add(bad, 0));
         CHECK_FALSE(builder.add(0, 0));
-        CHECK(std::move(builder).finish().error().message ==
+        const auto finished = std::move(builder).finish();
+        CHECK(finished.error().message ==
               "a coordinate is no finite number within ten million; check the file");
     }
     DrawingBuilder timed;

@@ -6,7 +6,6 @@
 
 #include "support/simple_body.hpp"
 
-using core::DrawingTool;
 using core::Point;
 using core::StrokePart;
 using core::Vec3;

@@ -12,7 +12,6 @@
 
 using core::ErrorCode;
 using core::Rgb;
-using core::TriangleMesh;
 using core::Vec3;
 namespace fs = std::filesystem;
 

@@ -5,7 +5,6 @@
 #include "core/geometry/polygon.hpp"
 #include "support/shapes.hpp"
 
-using core::Point;
 using core::Polygon;
 using core::TriangleRole;
 using core::Triangulation;

@@ -79,7 +79,7 @@ TEST_CASE("programs that create the same collection at once make it once", "[mig
             });
         }
         for (std::thread& program : programs) program.join();
-        for (const std::string& failure : failures) CHECK(failure == "");
+        for (const std::string& failure : failures) CHECK(failure.empty());
     }
 }
 

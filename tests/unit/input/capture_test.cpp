@@ -6,7 +6,6 @@
 
 #include "input/formats/text_lines.hpp"
 
-using input::Capture;
 using input::CaptureFormat;
 
 namespace {

@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 using input::EvdevDescription;
-using input::EvdevEvent;
 using input::EvdevPen;
 using input::PenTool;
 

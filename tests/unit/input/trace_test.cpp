@@ -128,7 +128,7 @@ TEST_CASE("every flipped bit is found, and costs no more than its line and the n
             const auto trace = input::parse_trace(flipped);
             REQUIRE(trace);
             CHECK(trace->fault_count > 0);
-            CHECK(trace->records.size() >= 1);
+            CHECK_FALSE(trace->records.empty());
         }
     }
     std::string flipped = text;
