@@ -233,7 +233,8 @@ class Builder {
 };
 
 /// Brings the neighbour lists up to date, where the index is to have them.
-core::Result<void> measure_likeness(const IndexBuildOptions& options, db::TwoViewIndex& index, std::stop_token stop,
+core::Result<void> measure_likeness(const IndexBuildOptions& options, db::TwoViewIndex& index,
+                                    const std::stop_token& stop,
                                     const std::function<void(IndexBuildProgress)>& progress, IndexBuildReport& report) {
     const core::Result<std::optional<std::string>> measure = index.likeness_measure();
     if (!measure) return core::unexpected(measure.error());
@@ -250,7 +251,7 @@ core::Result<void> measure_likeness(const IndexBuildOptions& options, db::TwoVie
 
 }  // namespace
 
-core::Result<IndexBuildReport> build_index(const IndexBuildOptions& options, std::stop_token stop,
+core::Result<IndexBuildReport> build_index(const IndexBuildOptions& options, const std::stop_token& stop,
                                            const std::function<void(IndexBuildProgress)>& progress) {
     const Stopwatch watch;
     ModelFiles found = find_model_files(options.paths);

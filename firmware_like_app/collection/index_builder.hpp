@@ -44,7 +44,7 @@ struct IndexBuildProgress {
 /// each file, and what was described until then is kept. Files of together more than 64 MB are not read at the same
 /// time. FileMissing when there is nothing to read at all; the index's own errors (NotAnIndex, NewerVersion,
 /// WriteFailed …), with what was added before still in it.
-[[nodiscard]] core::Result<IndexBuildReport> build_index(const IndexBuildOptions& options, std::stop_token stop,
+[[nodiscard]] core::Result<IndexBuildReport> build_index(const IndexBuildOptions& options, const std::stop_token& stop,
                                                          const std::function<void(IndexBuildProgress)>& progress);
 
 /// What people read: "chair-rocking-chair" of class "chair" is a "Rocking chair".

@@ -20,10 +20,10 @@ class LiveSearcher final : public Searcher {
 
     /// One search at a time; others wait for it.
     SearchAnswer search(const core::Drawing& drawing, std::stop_token stop) override {
-        return ask(&Searcher::search, drawing, std::move(stop));
+        return ask(&Searcher::search, drawing, stop);
     }
     SearchAnswer search_unfinished(const core::Drawing& drawing, std::stop_token stop) override {
-        return ask(&Searcher::search_unfinished, drawing, std::move(stop));
+        return ask(&Searcher::search_unfinished, drawing, stop);
     }
     /// From the next search on. A search that runs goes on with the old one, which it keeps alive.
     void replace(std::shared_ptr<Searcher> searcher) {
