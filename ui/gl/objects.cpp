@@ -210,9 +210,9 @@ VertexStream::VertexStream(std::initializer_list<int> layout, bool per_instance)
     std::size_t offset = 0;
     for (const int n : layout) {
         glEnableVertexAttribArray(attribute);
-        // The interface takes an offset into the buffer as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
-        glVertexAttribPointer(attribute, n, GL_FLOAT, GL_FALSE, floats * static_cast<int>(sizeof(float)),
-                              reinterpret_cast<const void*>(offset * sizeof(float)));
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): the interface takes an offset into the buffer as a pointer
+        const auto* place = reinterpret_cast<const void*>(offset * sizeof(float));
+        glVertexAttribPointer(attribute, n, GL_FLOAT, GL_FALSE, floats * static_cast<int>(sizeof(float)), place);
         if (per_instance) glVertexAttribDivisor(attribute, 1);
         offset += static_cast<std::size_t>(n);
         ++attribute;

@@ -39,7 +39,7 @@ Icon icon_of(Notice notice) {
 }
 
 std::string text_of(const NoticeState& state, const Strings& words) {
-    const std::string text = words[prefix(state.notice) + "_text"];
+    std::string text = words[prefix(state.notice) + "_text"];
     if (state.notice != Notice::Building) return text;
     std::string key = "building_progress";
     if (!state.minutes_left) key = "building_progress_untimed";

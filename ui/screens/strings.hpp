@@ -22,7 +22,7 @@ class Strings {
     /// The words for a key; the key itself where the language lacks it, so that a gap is seen and nothing fails.
     [[nodiscard]] const std::string& operator[](const std::string& key) const;
     [[nodiscard]] std::vector<std::string> keys() const;
-    [[nodiscard]] const std::string& code() const { return (*this)["code"]; }
+    [[nodiscard]] const std::string& code() const { return words_.at("code"); }
     [[nodiscard]] int order() const { return order_; }
 
   private:
