@@ -25,7 +25,7 @@ void write_models(const TemporaryFolder& folder, const std::string& where, int f
 /// Waits for the end of an import, at most a minute.
 app::CollectionStatus ended(const KeptCollection& collection) {
     for (int i = 0; i < 6000; ++i) {
-        const app::CollectionStatus status = collection.status();
+        app::CollectionStatus status = collection.status();
         if (!status.importing && status.ended) return status;
         std::this_thread::sleep_for(10ms);
     }

@@ -68,8 +68,7 @@ TEST_CASE("numbers that are none are refused", "[drawing_builder]") {
         CHECK_FALSE(builder.add(bad, 0));
         CHECK_FALSE(builder.add(0, 0));
         const auto finished = std::move(builder).finish();
-        CHECK(finished.error().message ==
-              "a coordinate is no finite number within ten million; check the file");
+        CHECK(finished.error().message == "a coordinate is no finite number within ten million; check the file");
     }
     DrawingBuilder timed;
     CHECK_FALSE(timed.add(0, 0, inf));
