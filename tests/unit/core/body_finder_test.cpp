@@ -52,9 +52,9 @@ TEST_CASE("a warp takes each landmark to its namesake", "[body_warp]") {
     const auto& to = body("m").landmarks;
     const auto warp = core::BodyWarp::between(from, to);
     REQUIRE(warp);
-    for (std::size_t i = 0; i < from.size(); ++i)
-        if (const core::Landmark* l = core::find_landmark(to, from[i].name))
-            CHECK(core::length((*warp)(from[i].place) - l->place) < 1e-6);
+    for (const core::Landmark& landmark : from)
+        if (const core::Landmark* l = core::find_landmark(to, landmark.name))
+            CHECK(core::length((*warp)(landmark.place) - l->place) < 1e-6);
     const auto same = core::BodyWarp::between(from, from);
     REQUIRE(same);
     CHECK(core::length((*same)({30, 90, 10}) - Vec3{30, 90, 10}) < 1e-6);
