@@ -125,7 +125,7 @@ TEST_CASE("allowances: corners mitred, hollow places without loops", "[pattern]"
     const core::Polygon notched{{0, 0}, {10, 0}, {10.4, 4.8}, {5, 4.9}, {5, 5.1}, {10.4, 5.2}, {10, 10}, {0, 10}};
     const core::Polygon closed = core::moved_outward(notched, std::vector<double>(8, 1.0));
     CHECK(area(closed) == Approx(147.0).epsilon(0.02));
-    for (std::size_t i = 0; i < closed.size(); ++i) CHECK(core::distance(closed[i], {5, 5}) > 5.0);
+    for (const Point p : closed) CHECK(core::distance(p, {5, 5}) > 5.0);
     // a spike is cut off
     const core::Polygon spike{{0, 0}, {20, 0.5}, {0, 1}};
     for (const Point p : core::moved_outward(spike, {1, 1, 1})) CHECK(p.x < 23.0);

@@ -10,7 +10,6 @@
 
 using core::PieceKind;
 using core::Polygon;
-using core::Segmentation;
 using core::Skeleton;
 
 namespace {
