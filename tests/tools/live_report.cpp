@@ -18,33 +18,18 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "core/exchange/sketch_reader.hpp"
 #include "firmware_like_app/collection/sketch_searcher.hpp"
+#include "support/chosen_drawings.hpp"
 
 namespace {
 
 constexpr double kFrame_ms = 1000.0 / 60;
 constexpr double kLongestLift_ms = 1500;  // as the kiosk's replays
 constexpr int kBest = 10;                 // as the kiosk
-
-std::vector<std::string> choose(const std::filesystem::path& folder, std::size_t count, unsigned seed) {
-    std::vector<std::string> all;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        if (entry.path().extension() != ".ndjson") continue;
-        std::ifstream in(entry.path());
-        std::string line;
-        for (int n = 0; std::getline(in, line); ++n) all.push_back(entry.path().string() + ":" + std::to_string(n));
-    }
-    std::sort(all.begin(), all.end());
-    std::shuffle(all.begin(), all.end(), std::mt19937(seed));
-    all.resize(std::min(all.size(), count));
-    return all;
-}
 
 /// Samples of one frame: how much of the drawing is there then.
 struct Batch {
@@ -168,8 +153,8 @@ int main(int argc, char** argv) {
     }
     Times times;
     std::size_t drawings = 0;
-    for (const std::string& spec :
-         choose(argv[2], static_cast<std::size_t>(number(3, 200)), static_cast<unsigned>(number(6, 1)))) {
+    for (const std::string& spec : support::chosen_drawings(argv[2], static_cast<std::size_t>(number(3, 200)),
+                                                            static_cast<unsigned>(number(6, 1)))) {
         const auto sketch = core::read_sketch(spec);
         if (!sketch || !sketch->drawing) continue;
         draw(*sketch->drawing, **searcher, std::max(number(5, 1), 1), quiet_cores, times);

@@ -12,29 +12,14 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "core/exchange/sketch_reader.hpp"
 #include "core/silhouette/drawing_readings.hpp"
+#include "support/chosen_drawings.hpp"
 
 namespace {
-
-std::vector<std::string> choose(const std::filesystem::path& folder, std::size_t count, unsigned seed) {
-    std::vector<std::string> all;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        if (entry.path().extension() != ".ndjson") continue;
-        std::ifstream in(entry.path());
-        std::string line;
-        for (int n = 0; std::getline(in, line); ++n) all.push_back(entry.path().string() + ":" + std::to_string(n));
-    }
-    std::sort(all.begin(), all.end());
-    std::shuffle(all.begin(), all.end(), std::mt19937(seed));
-    all.resize(std::min(all.size(), count));
-    return all;
-}
 
 bool same(const core::Result<core::Silhouette>& a, const core::Result<core::Silhouette>& b) {
     if (!a || !b) return !a && !b && a.error().code == b.error().code;
@@ -104,8 +89,8 @@ int main(int argc, char** argv) {
     const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
     Report report;
     long drawings = 0;
-    for (const std::string& spec :
-         choose(argv[1], static_cast<std::size_t>(number(2, 200)), static_cast<unsigned>(number(4, 1)))) {
+    for (const std::string& spec : support::chosen_drawings(argv[1], static_cast<std::size_t>(number(2, 200)),
+                                                            static_cast<unsigned>(number(4, 1)))) {
         const auto sketch = core::read_sketch(spec);
         if (!sketch || !sketch->drawing) continue;
         const long wrong = report.wrong;
