@@ -37,10 +37,6 @@ Fit fit_box(const CardModel& model, SizePx size, const ModelPictureOptions& opti
     return fit;
 }
 
-void set_vector(const Program& program, const char* uniform, const core::Vec3& v) {
-    program.set(uniform, static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
-}
-
 /// Wide faint and narrow dark ellipses under every place where the model stands.
 std::vector<float> shadow_quads(const CardModel& model, const Fit& fit, SizePx size) {
     std::vector<float> quads;
@@ -70,21 +66,9 @@ std::vector<float> shadow_quads(const CardModel& model, const Fit& fit, SizePx s
 }  // namespace
 
 core::Result<ModelPainter> ModelPainter::create() {
-    core::Result<Program> model = Program::load("model");
+    core::Result<LitModel> model = LitModel::create();
     if (!model) return core::unexpected(model.error());
-    core::Result<Program> soft = Program::load("soft");
-    if (!soft) return core::unexpected(soft.error());
-    return ModelPainter(std::move(*model), std::move(*soft));
-}
-
-ModelPainter::ModelPainter(Program model, Program soft)
-    : model_program_(std::move(model)),
-      soft_program_(std::move(soft)),
-      corners_({3, 3, 3}, false),
-      shadows_({4, 4}, true),
-      no_parts_({1, 1}, PixelFormat::Colour) {
-    const std::array<std::uint8_t, 4> nothing{};
-    no_parts_.upload(0, 0, {1, 1}, nothing);
+    return ModelPainter(std::move(*model));
 }
 
 Texture ModelPainter::paint(const CardModel& model, const ModelPictureOptions& options) {
@@ -104,34 +88,14 @@ Target ModelPainter::draw(const CardModel& model, const ModelPictureOptions& opt
     clear(0, 0, 0, 0, true);
     const Fit fit = fit_box(model, size, options);
 
-    const std::vector<float> quads = shadow_quads(model, fit, size);
-    if (!quads.empty()) {
-        soft_program_.use();
-        soft_program_.set("viewport", static_cast<float>(size.width), static_cast<float>(size.height));
-        soft_program_.set("flip", 1.0F);
-        set_blend(Blend::Over);
-        shadows_.fill(quads);
-        shadows_.draw_quads(static_cast<int>(quads.size() / 8));
-    }
-    set_blend(Blend::Off);
-    set_depth_test(true);
+    model_.draw_shadows(shadow_quads(model, fit, size), size);
     Texture map({std::max(model.part_map.width, 1), std::max(model.part_map.height, 1)}, PixelFormat::Colour);
     if (model.part_map.width > 0) map.upload(0, 0, map.size(), model.part_map.pixels);
-    (model.part_map.width > 0 ? map : no_parts_).bind(0);
-    model_program_.use();
-    model_program_.set("parts", 0);
-    set_vector(model_program_, "right", model.camera.right());
-    set_vector(model_program_, "up", model.camera.up);
-    set_vector(model_program_, "toward", model.camera.direction);
-    model_program_.set("fit", static_cast<float>(fit.sx), static_cast<float>(fit.sy), static_cast<float>(fit.ox),
-                       static_cast<float>(fit.oy));
-    model_program_.set("mirror", model.mirrored ? -1.0F : 1.0F);
-    model_program_.set("clay", palette::kClay.r, palette::kClay.g, palette::kClay.b);
-    model_program_.set("part_share", palette::kPartShare);
-    model_program_.set("own_share", options.own_colours ? 1.0F : 0.0F);
-    corners_.fill(model.geometry->corners);
-    corners_.draw_triangles(model.geometry->corner_count());
-    set_depth_test(false);
+    ModelLook look{model.camera, fit.sx, fit.sy, fit.ox, fit.oy, model.mirrored, options.own_colours, nullptr, 0.0F};
+    look.parts = model.part_map.width > 0 ? &map : nullptr;
+    look.part_share = palette::kPartShare;
+    model_.set_corners(model.geometry->corners);
+    model_.draw(look);
     return target;
 }
 

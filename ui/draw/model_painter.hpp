@@ -1,8 +1,9 @@
 #pragma once
 // Draws a lit model into a picture with a transparent ground: what stands on a card.
 
-#include "ui/draw/model_geometry.hpp"
-#include "ui/gl/objects.hpp"
+#include <utility>
+
+#include "ui/draw/lit_model.hpp"
 
 namespace ui {
 
@@ -25,11 +26,9 @@ class ModelPainter {
     [[nodiscard]] core::RgbaImage paint_image(const CardModel& model, const ModelPictureOptions& options);
 
   private:
-    ModelPainter(Program model, Program soft);
+    explicit ModelPainter(LitModel model) : model_(std::move(model)) {}
     Target draw(const CardModel& model, const ModelPictureOptions& options);
-    Program model_program_, soft_program_;
-    VertexStream corners_, shadows_;
-    Texture no_parts_;
+    LitModel model_;
 };
 
 }  // namespace ui

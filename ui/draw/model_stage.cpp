@@ -14,10 +14,6 @@ namespace {
 constexpr double kNearGround = 0.04;  // of the height
 constexpr double kCell = 0.28;        // units: two contacts nearer than this share a shadow
 
-void set_vector(const Program& program, const char* uniform, const core::Vec3& v) {
-    program.set(uniform, static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
-}
-
 core::Vec3 corner_at(const ModelGeometry& geometry, int i) {
     const float* p = geometry.corners.data() + static_cast<std::ptrdiff_t>(i) * 9;
     return {p[0], p[1], p[2]};
@@ -66,34 +62,22 @@ core::Point StageView::to_px(core::Vec3 p) const {
 }
 
 core::Result<ModelStage> ModelStage::create() {
-    core::Result<Program> model = Program::load("model");
+    core::Result<LitModel> model = LitModel::create();
     if (!model) return core::unexpected(model.error());
-    core::Result<Program> soft = Program::load("soft");
-    if (!soft) return core::unexpected(soft.error());
-    return ModelStage(std::move(*model), std::move(*soft));
+    return ModelStage(std::move(*model));
 }
 
-ModelStage::ModelStage(Program model, Program soft)
-    : model_program_(std::move(model)),
-      soft_program_(std::move(soft)),
-      corners_({3, 3, 3}, false),
-      shadows_({4, 4}, true),
-      no_parts_({1, 1}, PixelFormat::Colour),
-      target_({1, 1}, PixelFormat::Colour, Target::Depth::Multisampled) {
-    const std::array<std::uint8_t, 4> nothing{};
-    no_parts_.upload(0, 0, {1, 1}, nothing);
-}
+ModelStage::ModelStage(LitModel model)
+    : model_(std::move(model)), target_({1, 1}, PixelFormat::Colour, Target::Depth::Multisampled) {}
 
 void ModelStage::set_model(const ModelGeometry& geometry, std::vector<GroundContact> contacts) {
-    corners_.fill(geometry.corners);
-    corner_count_ = geometry.corner_count();
+    model_.set_corners(geometry.corners);
     contacts_ = std::move(contacts);
 }
 
 void ModelStage::clear_model() {
-    corner_count_ = 0;
     contacts_.clear();
-    corners_.fill({});
+    model_.set_corners({});
     target_ = Target({1, 1}, PixelFormat::Colour, Target::Depth::Multisampled);
 }
 
@@ -119,12 +103,7 @@ void ModelStage::draw_shadows(const StageView& view) {
         add(p, (contact.radius + 0.10) * view.scale_px, strength);
     }
     add(sum * (1.0 / static_cast<double>(contacts_.size())), (high.x - low.x) / 2 + 0.34 * view.scale_px, 0.14);
-    soft_program_.use();
-    soft_program_.set("viewport", static_cast<float>(size.width), static_cast<float>(size.height));
-    soft_program_.set("flip", 1.0F);
-    set_blend(Blend::Over);
-    shadows_.fill(quads);
-    shadows_.draw_quads(static_cast<int>(quads.size() / 8));
+    model_.draw_shadows(quads, size);
 }
 
 void ModelStage::draw(const StageView& view, SizePx size) {
@@ -132,27 +111,15 @@ void ModelStage::draw(const StageView& view, SizePx size) {
     target_.bind();
     clear(0, 0, 0, 0, true);
     draw_shadows(view);
-    if (corner_count_ > 0) {
-        set_blend(Blend::Off);
-        set_depth_test(true);
-        no_parts_.bind(0);
-        const double sx = (view.mirrored ? -2.0 : 2.0) * view.scale_px / size.width;
-        const double sy = -2.0 * view.scale_px / size.height;
-        model_program_.use();
-        model_program_.set("parts", 0);
-        set_vector(model_program_, "right", view.camera.right());
-        set_vector(model_program_, "up", view.camera.up);
-        set_vector(model_program_, "toward", view.camera.direction);
-        model_program_.set("fit", static_cast<float>(sx), static_cast<float>(sy),
-                           static_cast<float>(view.centre_px.x * 2 / size.width - 1),
-                           static_cast<float>(view.centre_px.y * 2 / size.height - 1));
-        model_program_.set("mirror", view.mirrored ? -1.0F : 1.0F);
-        model_program_.set("clay", palette::kClay.r, palette::kClay.g, palette::kClay.b);
-        model_program_.set("part_share", 0.0F);
-        model_program_.set("own_share", view.own_colours ? 1.0F : 0.0F);
-        corners_.draw_triangles(corner_count_);
-        set_depth_test(false);
-    }
+    ModelLook look;
+    look.camera = view.camera;
+    look.sx = (view.mirrored ? -2.0 : 2.0) * view.scale_px / size.width;
+    look.sy = -2.0 * view.scale_px / size.height;
+    look.ox = view.centre_px.x * 2 / size.width - 1;
+    look.oy = view.centre_px.y * 2 / size.height - 1;
+    look.mirrored = view.mirrored;
+    look.own_colours = view.own_colours;
+    model_.draw(look);
     target_.resolve();
 }
 

@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "ui/draw/model_geometry.hpp"
-#include "ui/gl/objects.hpp"
+#include "ui/draw/lit_model.hpp"
 
 namespace ui {
 
@@ -54,13 +53,10 @@ class ModelStage {
     [[nodiscard]] core::RgbaImage read_back() const { return target_.read_back(); }
 
   private:
-    ModelStage(Program model, Program soft);
+    explicit ModelStage(LitModel model);
     void draw_shadows(const StageView& view);
-    Program model_program_, soft_program_;
-    VertexStream corners_, shadows_;
-    Texture no_parts_;
+    LitModel model_;
     Target target_;
-    int corner_count_ = 0;
     std::vector<GroundContact> contacts_;
 };
 
