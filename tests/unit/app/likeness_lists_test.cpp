@@ -117,7 +117,7 @@ TEST_CASE("added, changed and removed models change the lists as measuring all a
 TEST_CASE("stopped at any moment, measuring goes on to the same lists", "[likeness]") {
     const TemporaryFolder folder;
     TwoViewIndex index = open(folder, "a.db");
-    add(index, 0, 80);
+    add(index, 0, 40);
     for (int round = 0; round < 3; ++round) {
         std::stop_source stop;
         const auto report = app::update_likeness(index, 2, stop.get_token(), [&](std::size_t done, std::size_t total) {
