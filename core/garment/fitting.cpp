@@ -19,6 +19,7 @@ constexpr double kSmallQuad_cm = 2.5;  // longest diagonal
 constexpr double kSkin_cm = 0.2;       // so deep the nearest way out is always right
 constexpr double kBodyReach_cm = 40.0;
 constexpr int kPartingRounds = 30;
+constexpr int kIdleRounds = 6;  // without fewer crossings: what is left stays
 constexpr double kPartingStep_cm = 0.12;
 
 struct Link {
@@ -187,7 +188,7 @@ class Fitter {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> crossings = self_crossings(mesh_);
         report.self_crossings_before = report.self_crossings = crossings.size();
         std::vector<Vec3> best = mesh_.vertices;
-        for (int round = 0; round < kPartingRounds && !crossings.empty(); ++round) {
+        for (int round = 0, idle = 0; round < kPartingRounds && idle < kIdleRounds && !crossings.empty(); ++round) {
             std::vector<Vec3> move(mesh_.vertices.size());
             for (const auto& [a, b] : crossings) add_parting(a, b, move);
             for (std::size_t v = 0; v < move.size(); ++v) {
@@ -197,7 +198,9 @@ class Fitter {
             push_out(options_.clearance_cm);
             part_crossings();
             crossings = self_crossings(mesh_);
+            ++idle;
             if (crossings.size() >= report.self_crossings) continue;
+            idle = 0;
             report.self_crossings = crossings.size();
             best = mesh_.vertices;
         }

@@ -122,10 +122,14 @@ class Maker {
              {seam({neck}), part("back", Tool::Body, ease,
                                  {{-0.8 * neck.x, f.nape - 1.6}, {-0.4 * neck.x, f.nape - 2.6}, {0.0, f.nape - 3.0}})});
         const double middle = 0.5 * (f.shoulder + f.bust) + 2.0;
+        // the last of it goes round under the arm, where no view shows the body: on planes from front to side
+        const auto below = [&](double z, double in, double up) {
+            return part("front", Tool::PlaneXY, z, {{under.x - in, under.y + up}});
+        };
         line("armhole", {seam({tip}),
                          part("front", Tool::Body, ease,
-                              {{tip.x - 1.2, tip.y - 3.5}, {tip.x - 2.0, middle}, {under.x - 0.8, under.y + 1.5}}),
-                         seam({under})});
+                              {{tip.x - 1.2, tip.y - 3.5}, {tip.x - 2.0, middle}, {under.x - 1.0, under.y + 5.0}}),
+                         below(3.4, 0.8, 2.4), below(1.6, 0.4, 0.7), seam({under})});
         line("armhole_back", {seam({tip}),
                               part("back", Tool::Body, ease,
                                    {{1.0 - tip.x, tip.y - 3.5}, {1.8 - tip.x, middle}, {0.8 - under.x, under.y + 1.5}}),

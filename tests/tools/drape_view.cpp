@@ -14,25 +14,8 @@
 #include "core/garment/drape.hpp"
 #include "core/garment/wardrobe.hpp"
 #include "core/mesh/crossings.hpp"
+#include "support/fine_garment.hpp"
 #include "support/mesh_picture.hpp"
-
-namespace {
-
-/// The design with quads so fine that the garment has about so many vertices.
-core::Garment garment_of(core::Design design, const core::Mannequin& body, std::size_t vertices) {
-    const core::DressForm form = core::dress_form(body);
-    core::Garment garment = *core::make_garment(design, form);
-    for (int k = 0; k < 3; ++k) {
-        const double ratio = std::sqrt(static_cast<double>(core::joined_layers(garment.layers).vertices.size()) /
-                                       static_cast<double>(vertices));
-        if (std::abs(ratio - 1.0) < 0.03) break;
-        design.network.edge_cm *= ratio;
-        garment = *core::make_garment(design, form);
-    }
-    return garment;
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
     if (argc < 2) return std::fprintf(stderr, "drape_view FOLDER [NAME] [SECONDS] [VERTICES]\n"), 2;
@@ -42,7 +25,7 @@ int main(int argc, char** argv) {
     const core::Mannequin body = *core::make_mannequin(*core::measures_of_size("38"));
     const auto design = core::wardrobe_design(name, body);
     if (!design) return std::fprintf(stderr, "%s\n", design.error().sentence().c_str()), 1;
-    const core::Garment garment = garment_of(*design, body, vertices);
+    const core::Garment garment = support::garment_of(*design, body, vertices);
     const core::Obstacle obstacle = *core::Obstacle::of_body(core::dress_form(body));
     const core::QuadMesh drawn = core::joined_layers(garment.layers);
     core::Drape drape(drawn, obstacle, {}, core::banded(garment.layers, obstacle));
