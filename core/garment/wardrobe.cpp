@@ -72,6 +72,8 @@ class Maker {
         design_.network.snap_cm = 3.0;
     }
 
+    void edges(double length_cm) { design_.network.edge_cm = length_cm; }
+
     void line(const std::string& name, SketchStroke stroke) {
         DesignStep step;
         step.name = name;
@@ -285,6 +287,7 @@ Design jacket(const Mannequin& body) {
     Maker d("jacket", body);
     const Measured& m = d.m;
     const BodyFrame& f = m.frame;
+    d.edges(1.6);  // a collar goes over the sharp line of the shoulder
     draw_jacket(d, 1.2);
     d.next_layer();
     // just outside of the jacket's neckline, and a hand's breadth farther
