@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/geometry/ring_start.hpp"
 #include "core/parts/describe.hpp"
 #include "core/skeleton/arc_measures.hpp"
 
@@ -122,7 +123,9 @@ class RingBuilder {
     RingBuilder(const ShapeDescriptor& shape, const ShapeParameters& p)
         : shape_(shape), parameters_(p), arcs_(shape.samples) {
         for (const Part& part : shape.parts) directions_.push_back(direction_of(shape, part));
-        outline_ = outline_profile(shape.samples);
+        const double start = ellipse_end(shape.samples);
+        outline_ = outline_profile(started_at(shape.samples, start));
+        start_ = static_cast<OutlinePlace>(std::lround(start * 65536.0));
     }
 
     [[nodiscard]] PartRing ring(bool backwards) const {
@@ -165,7 +168,7 @@ class RingBuilder {
     /// Places wrap round: a full turn is none.
     [[nodiscard]] OutlinePlace place(int sample, bool backwards) const {
         const double share = sample == 0 ? 0.0 : arcs_.length(0, sample) / arcs_.perimeter();
-        const auto forwards = static_cast<OutlinePlace>(std::lround(share * 65536.0));
+        const auto forwards = static_cast<OutlinePlace>(std::lround(share * 65536.0) - start_);
         return backwards ? static_cast<OutlinePlace>(-forwards) : forwards;
     }
 
@@ -187,6 +190,7 @@ class RingBuilder {
     const ShapeParameters& parameters_;
     ArcMeasures arcs_;
     std::vector<Point> directions_;
+    OutlinePlace start_ = 0;  // where the profile starts, from the first sample on
     OutlineProfile outline_;
 };
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "core/geometry/point_grid.hpp"
 #include "core/geometry/polygon.hpp"
+#include "core/geometry/ring_start.hpp"
 
 namespace core {
 
@@ -121,12 +123,29 @@ Result<Polygon> largest_contour(const BinaryImage& image, double least_area) {
 
 namespace {
 
-/// From the lowest, then leftmost vertex on, and relative to it: so it matters neither where the ring starts nor where
-/// it lies.
-Polygon from_lowest_vertex(const Polygon& ring) {
+/// The vertex farthest from the mean of all, of equally far ones the lowest, then leftmost. Exact for pixel edges, so
+/// that a shape that is mirrored or turned by a quarter gives the same place of the shape.
+std::size_t farthest_vertex(const Polygon& ring) {
+    const Point lowest = *lowest_vertex(ring);
+    Point sum;
+    for (const Point p : ring) sum = sum + (p - lowest);
+    const double n = static_cast<double>(ring.size());
+    const auto key = [&](std::size_t i) {
+        const Point from_mean = (ring[i] - lowest) * n - sum;
+        return std::tuple(-dot(from_mean, from_mean), ring[i].y, ring[i].x);
+    };
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < ring.size(); ++i)
+        if (key(i) < key(best)) best = i;
+    return best;
+}
+
+/// From its farthest vertex on, and relative to the lowest: so it matters neither where the ring starts nor where it
+/// lies.
+Polygon from_farthest_vertex(const Polygon& ring) {
     Polygon out = ring;
-    std::rotate(out.begin(), lowest_vertex(out), out.end());
-    const Point lowest = out.front();
+    std::rotate(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(farthest_vertex(out)), out.end());
+    const Point lowest = *lowest_vertex(ring);
     for (Point& p : out) p = p - lowest;
     return out;
 }
@@ -154,13 +173,16 @@ Polygon smoothed(const Polygon& ring, double sigma) {
     return smooth;
 }
 
+constexpr int kFineEnough = 1000;  // points, to smooth a ring at the spacing it is wanted with
+
 }  // namespace
 
 Polygon smooth_contour(const Polygon& contour, int count, double sigma) {
     // Pixel edges are longer in some directions than in others: points are spaced evenly once that is smoothed away.
-    constexpr int kFiner = 3;
-    const Polygon relative = from_lowest_vertex(contour);
-    Polygon smooth = resample_ring(smoothed(resample_ring(relative, kFiner * count), kFiner * sigma), count);
+    const int finer = count < kFineEnough ? 3 : 1;
+    const Polygon relative = from_farthest_vertex(contour);
+    const Polygon fine = smoothed(resample_ring(relative, finer * count), finer * sigma);
+    Polygon smooth = resample_ring(started_at(fine, ellipse_end(fine)), count);
     // On a grid that also holds all pixels, so that adding the place is exact and moving by whole pixels moves exactly.
     const int grid = finest_grid(smooth, std::int64_t{1} << 24);
     const Point lowest = *lowest_vertex(contour);

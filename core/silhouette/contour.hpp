@@ -20,9 +20,10 @@ namespace core {
 [[nodiscard]] Result<Polygon> largest_contour(const BinaryImage& image, double least_area = 4.0);
 
 /// The contour in the form that the skeleton reads: smoothed along the ring by a Gaussian of `sigma` of its points,
-/// then `count` points evenly spaced from near the lowest, then leftmost vertex on; scale and position kept. It does
-/// not depend on where the ring starts, and moves exactly with a ring of pixel edges. About 400 points and sigma 2
-/// (reading notes). Linear in the points and count * sigma.
+/// then `count` points evenly spaced from near an end of its first-harmonic ellipse on (core/geometry/ring_start.hpp);
+/// scale and position kept. It does not depend on where the ring starts, moves exactly with a ring of pixel edges, and
+/// the points stay on the same places of a shape that is turned or mirrored. About 1200 points and sigma 6 (reading
+/// notes: 400 and 2). Linear in the points and count * sigma.
 [[nodiscard]] Polygon smooth_contour(const Polygon& contour, int count, double sigma);
 
 }  // namespace core

@@ -38,7 +38,8 @@ std::vector<Stretch> stretches_between(const Polygon& contour, const std::vector
         Stretch s;
         for (int i = from; i <= to; ++i) {
             s.chain.push_back(contour[static_cast<std::size_t>(i % n)]);
-            if (i < to) s.cornerity += cornerity[static_cast<std::size_t>(i % n)];
+            // half of each end, so that the other direction sums to the same
+            s.cornerity += (i == from || i == to ? 0.5 : 1.0) * cornerity[static_cast<std::size_t>(i % n)];
         }
         s.length = chain_length(s.chain);
         stretches.push_back(std::move(s));

@@ -25,10 +25,15 @@ Polygon contour_of(const BinaryImage& image, double least_area = 4.0) {
     return *ring;
 }
 
-double greatest_offset(const Polygon& a, const Polygon& b) {
-    double greatest = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) greatest = std::max(greatest, distance(a[i], b[i]));
-    return greatest;
+/// From the ring's edges.
+double distance_to(const Polygon& ring, Point p) {
+    double least = 1e9;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point a = ring[i], along = ring[(i + 1) % ring.size()] - a;
+        const double share = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
+        least = std::min(least, distance(a + along * share, p));
+    }
+    return least;
 }
 
 const BinaryImage kLetter = text_shape({
@@ -167,14 +172,36 @@ TEST_CASE("smoothing keeps place and size, and takes the steps of pixels away", 
 
 TEST_CASE("without a Gaussian the contour is only spaced evenly", "[contour]") {
     const Polygon ring = contour_of(kLetter);
-    const Polygon even = core::resample_ring(ring, 50);
-    CHECK(greatest_offset(core::smooth_contour(ring, 50, 0.0), even) < 0.02);
+    const Polygon smooth = core::smooth_contour(ring, 50, 0.0);
+    for (std::size_t i = 0; i < smooth.size(); ++i) {
+        CHECK(distance_to(ring, smooth[i]) < 0.02);
+        CHECK(distance(smooth[i], smooth[(i + 1) % smooth.size()]) <= core::perimeter(ring) / 50 * 1.001);
+    }
 }
 
 TEST_CASE("a contour moved by whole pixels is smoothed to the same, moved, to the last bit", "[contour]") {
     const Polygon ring = contour_of(kLetter);
     const Polygon there = core::smooth_contour(support::moved(ring, {640, -327}), 100, 2.0);
     CHECK(there == support::moved(core::smooth_contour(ring, 100, 2.0), {640, -327}));
+}
+
+TEST_CASE("a mirrored or quarter-turned contour is smoothed to the same points of the shape", "[contour]") {
+    const Polygon ring = contour_of(kLetter);
+    const auto farthest_from = [&](const Polygon& copy, const auto& back) {
+        const Polygon points = core::smooth_contour(ring, 100, 2.0), others = core::smooth_contour(copy, 100, 2.0);
+        double farthest = 0.0;
+        for (const Point p : others) {
+            double least = 1e9;
+            for (const Point q : points) least = std::min(least, distance(back(p), q));
+            farthest = std::max(farthest, least);
+        }
+        return farthest;
+    };
+    Polygon mirrored, turned;
+    for (const Point p : ring) mirrored.insert(mirrored.begin(), {-p.x, p.y});
+    for (const Point p : ring) turned.push_back({-p.y, p.x});
+    CHECK(farthest_from(mirrored, [](Point p) { return Point{-p.x, p.y}; }) < 1e-4);
+    CHECK(farthest_from(turned, [](Point p) { return Point{p.y, -p.x}; }) < 1e-4);
 }
 
 TEST_CASE("a contour is smoothed to the same from wherever it starts", "[contour]") {

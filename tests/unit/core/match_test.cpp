@@ -188,7 +188,7 @@ TEST_CASE("an exactly mirrored outline is at hardly any distance, where other sh
     for (const Named& shape : shapes()) {
         DYNAMIC_SECTION(shape.name) {
             const MatchableShape a = shape_of(shape.contour), b = shape_of(support::mirrored(shape.contour));
-            CHECK(matcher.distance(a, b) < 8.0);
+            CHECK(matcher.distance(a, b) < 2.0);
         }
     }
 }
