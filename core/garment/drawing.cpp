@@ -72,6 +72,14 @@ DrawingView::Ray DrawingView::ray(Point at) const {
     return {eye, normalised(place - eye)};
 }
 
+Point DrawingView::project(Vec3 place) const {
+    const Vec3 from = place - centre;
+    const Point flat{dot(from, right), dot(from, up)};
+    if (eye_distance <= 0.0) return flat;
+    const double before = eye_distance - depth(place);
+    return before > 0.0 ? flat * (eye_distance / before) : Point{NAN, NAN};
+}
+
 Result<DrawingView> named_view(std::string_view name) {
     const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
     if (name == "front") return DrawingView{{}, x, y, z};

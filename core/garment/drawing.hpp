@@ -23,6 +23,10 @@ struct DrawingView {
         Vec3 origin, direction;  ///< direction has length 1 and leads away from the viewer
     };
     [[nodiscard]] Ray ray(Point at) const;
+    /// Where a place is seen; not finite for one beside or behind the eye.
+    [[nodiscard]] Point project(Vec3 place) const;
+    /// How far before the view's plane a place lies, toward the viewer.
+    [[nodiscard]] double depth(Vec3 place) const { return dot(place - centre, toward); }
 };
 
 /// "front", "back", "left" (from the body's left, +x), "right", "top": parallel views about the origin. ErrorCode::
