@@ -132,14 +132,30 @@ void DesignRunner::put_to_landmark(Vec3& end, const std::string& name, const Str
     end = landmark->place + obstacle_->sample(landmark->place).gradient * offset;
 }
 
+/// The piece that a cut or hole is drawn on, where the stroke has a part that is.
+std::optional<QuadMesh> DesignRunner::piece_under(const DesignStep& step) const {
+    const bool on_piece = std::any_of(step.stroke.begin(), step.stroke.end(), [](const StrokePart& part) {
+        return part.tool.kind == DrawingTool::Kind::Piece;
+    });
+    const NetworkRegion* region = on_piece ? network_.find_region(step.region) : nullptr;
+    if (region == nullptr) return std::nullopt;
+    const Result<RegionBoundary> boundary = network_.boundary(*region);
+    if (!boundary) return std::nullopt;
+    Result<FilledRegion> filled = fill_region(boundary->outline, region->alpha);
+    return filled ? std::optional<QuadMesh>(std::move(filled->mesh)) : std::nullopt;
+}
+
 Result<SpaceLine> DesignRunner::drawn_line(const DesignStep& step) const {
-    Result<std::vector<Vec3>> lifted = lift_stroke(step.stroke, *obstacle_);
+    const std::optional<QuadMesh> piece = piece_under(step);
+    Result<std::vector<Vec3>> lifted = lift_stroke(step.stroke, *obstacle_, piece ? &*piece : nullptr);
     if (!lifted) return unexpected(lifted.error());
     SpaceLine line = smoothed(*lifted, kDrawnSmoothing_cm, kDrawnPasses);
     if (!has_ends(step.kind)) return line;
     Vec3 first = line.front(), last = line.back();
     put_to_landmark(first, step.starts_at, step.stroke.front());
     put_to_landmark(last, step.ends_at, step.stroke.back());
+    if (step.starts_to) first = *step.starts_to;
+    if (step.ends_to) last = *step.ends_to;
     pull_ends(line, first, last);
     return line;
 }
@@ -152,8 +168,8 @@ DesignStep DesignRunner::snapped(DesignStep step) const {
         const SnapTarget target = snap_target(network_, layer_, landmarks(), end, settings_.network.snap_cm, false);
         return target.kind == SnapTarget::Kind::Landmark ? target.name : std::string();
     };
-    if (step.starts_at.empty()) step.starts_at = name_at(line->front());
-    if (step.ends_at.empty()) step.ends_at = name_at(line->back());
+    if (step.starts_at.empty() && !step.starts_to) step.starts_at = name_at(line->front());
+    if (step.ends_at.empty() && !step.ends_to) step.ends_at = name_at(line->back());
     return step;
 }
 
@@ -183,6 +199,7 @@ Result<void> DesignRunner::change(Network& next, const DesignStep& step) const {
         case Kind::Line:
             return with_line([&](SpaceLine l) { return next.add_line(step.name, std::move(l), look_.mirror); });
         case Kind::Region:
+            if (!step.region.empty()) next.release_region(step.region);
             if (Result<void> made = next.add_region(step.name, step.lines, obstacle_.get()); !made) return made;
             return next.set_alpha(step.name, step.alpha);
         case Kind::Cut:
@@ -223,8 +240,8 @@ void DesignRunner::rename(const DesignStep& step) {
 /// What a step does to all else. Checks before it changes.
 Result<void> DesignRunner::change_look(const DesignStep& step) {
     const auto layers = static_cast<int>(look_.layers.size());
-    const bool of_layer = step.kind == Kind::Work || step.kind == Kind::Show ||
-                          (step.kind == Kind::Rename && step.region.empty());
+    const bool of_layer =
+        step.kind == Kind::Work || step.kind == Kind::Show || (step.kind == Kind::Rename && step.region.empty());
     if (of_layer && (step.layer < 0 || step.layer >= layers))
         return bad("There is no layer " + std::to_string(step.layer + 1) + ".");
     const auto object_named = [&](const std::string& name) {
@@ -256,8 +273,7 @@ Result<void> DesignRunner::change_look(const DesignStep& step) {
             }
             break;
         case Kind::Material:
-            if (network_.find_region(step.region) == nullptr)
-                return bad("There is no region \"" + step.region + "\".");
+            if (network_.find_region(step.region) == nullptr) return bad("There is no region \"" + step.region + "\".");
             look_.materials[step.region] = step.material;
             break;
         case Kind::Mirror:
@@ -320,9 +336,7 @@ Result<void> DesignRunner::wear(const DesignStep& step) {
 }
 
 Result<DesignStep> DesignRunner::take(const DesignStep& step) {
-    const auto blame = [&](const Error& error) {
-        return unexpected(error.code, error.message, step_subject(step));
-    };
+    const auto blame = [&](const Error& error) { return unexpected(error.code, error.message, step_subject(step)); };
     if (step.kind == Kind::Body) {
         if (const Result<void> done = wear(step); !done) return blame(done.error());
         return step;

@@ -65,25 +65,27 @@ struct DesignStep {
     };
     Kind kind = Kind::Line;
     std::string name;    ///< of the line or the region made; of the new half of a cut or hole; Rename, Unplace
-    std::string region;  ///< that is cut, removed, changed
+    std::string region;  ///< that is cut, removed, changed; Region: that it takes the place of, or empty
     /// Of a region: names of lines, all pieces of each; "hem/2" is the second piece of its name on the layer. Erase,
     /// Smooth, Bump: one.
     std::vector<std::string> lines;
-    SketchStroke stroke;         ///< of a line, cut or hole
-    double alpha = kCoonsAlpha;  ///< Region, Alpha
-    Vec3 at, to;                 ///< Corner: at; Move: from at to `to`; Weld: at stays, `to` joins it;
-                                 ///< Smooth, Bump: ends of the stretch
-    double radius = 0.0;         ///< Move; Bump: length of a wave, cm
-    double depth = 0.0;          ///< Bump: how far a wave reaches to either side, cm
-    bool on = true;              ///< Corner, Mirror, Show
-    int layer = 0;               ///< Rename, Work, Show: counted from 0 in the order they were made
-    std::vector<int> order;      ///< Order
-    ClothMaterial material;      ///< Material
+    SketchStroke stroke;               ///< of a line, cut or hole
+    double alpha = kCoonsAlpha;        ///< Region, Alpha
+    Vec3 at, to;                       ///< Corner: at; Move: from at to `to`; Weld: at stays, `to` joins it;
+                                       ///< Smooth, Bump: ends of the stretch
+    double radius = 0.0;               ///< Move; Bump: length of a wave, cm
+    double depth = 0.0;                ///< Bump: how far a wave reaches to either side, cm
+    bool on = true;                    ///< Corner, Mirror, Show
+    int layer = 0;                     ///< Rename, Work, Show: counted from 0 in the order they were made
+    std::vector<int> order;            ///< Order
+    ClothMaterial material;            ///< Material
     std::optional<BodyMeasures> body;  ///< Body: a mannequin; none: the user's own body, the file `name`
     PlacedObject object;               ///< Place
     bool with_last = false;            ///< one act of the designer with the step before: undone together
     /// Landmarks that the ends of a line or cut are put to, as far from the body as the stroke's end; empty: none.
     std::string starts_at, ends_at;
+    /// Places, of a vertex or on a line, that the pen met in its view: the ends are put there whatever their depth.
+    std::optional<Vec3> starts_to, ends_to;
     PartSet parts = 0;  ///< Region, Associate: what the cloth lies over; Region: 0 finds out
 };
 
@@ -130,8 +132,8 @@ struct DesignLook {
         bool shown = true;
     };
     bool mirror = true;
-    std::vector<Layer> layers{{}};  ///< in the order they were made
-    std::vector<int> order{0};      ///< inner ones first
+    std::vector<Layer> layers{{}};                   ///< in the order they were made
+    std::vector<int> order{0};                       ///< inner ones first
     std::map<std::string, ClothMaterial> materials;  ///< by region
     std::vector<PlacedObject> objects;
 };
@@ -191,6 +193,7 @@ class DesignRunner {
     DesignRunner(const Design& design, std::shared_ptr<const WornForm> worn, FormSource source);
     void put_to_landmark(Vec3& end, const std::string& name, const StrokePart& part) const;
     [[nodiscard]] PartSet parts_under(const NetworkRegion& region) const;
+    [[nodiscard]] std::optional<QuadMesh> piece_under(const DesignStep& step) const;
     [[nodiscard]] Result<void> change(Network& next, const DesignStep& step) const;
     [[nodiscard]] Result<void> change_look(const DesignStep& step);
     [[nodiscard]] Result<void> wear(const DesignStep& step);
@@ -211,9 +214,9 @@ class DesignRunner {
 };
 
 /// The whole garment on a form. On the design's own mannequin, and on a form without landmarks, it is drawn there. On
-/// any other it is drawn on its own mannequin (the last one it was drawn on), carried over by the landmarks (core/garment/body_warp.hpp) and fitted
-/// again: lines that met there still do. Steps that fail are named and passed over. ErrorCode::BadMesh when the form is
-/// not closed, ErrorCode::BadArgument when the design's measures fit no body.
+/// any other it is drawn on its own mannequin (the last one it was drawn on), carried over by the landmarks
+/// (core/garment/body_warp.hpp) and fitted again: lines that met there still do. Steps that fail are named and passed
+/// over. ErrorCode::BadMesh when the form is not closed, ErrorCode::BadArgument when the design's measures fit no body.
 [[nodiscard]] Result<Garment> make_garment(const Design& design, const DressForm& form, const FormSource& source = {});
 
 /// The same, drawn on this body whatever it is.

@@ -454,6 +454,13 @@ Result<void> Network::cut_hole(const std::string& name, SpaceLine loop, const st
     return {};
 }
 
+void Network::release_region(const std::string& name) {
+    NetworkRegion* region = region_named(name);
+    if (region == nullptr) return;
+    region->alive = false;
+    region->ring.clear();
+}
+
 Result<void> Network::remove_region(const std::string& name) {
     NetworkRegion* region = region_named(name);
     if (region == nullptr) return bad("There is no region " + quoted(name) + " to remove.");
@@ -511,8 +518,19 @@ Result<void> Network::associate(const std::string& name, PartSet parts) {
 Result<void> Network::move(Vec3 from, Vec3 to, double radius) {
     if (!is_usable(from) || !is_usable(to) || !std::isfinite(radius)) return bad("A vertex cannot be moved there.");
     const int vertex = nearest_vertex(from, options_.snap_cm);
-    if (vertex < 0) return bad("There is no vertex to move there.");
-    const Vec3 centre = vertices_[static_cast<std::size_t>(vertex)].place, shift = to - centre;
+    Vec3 centre = from;
+    if (vertex >= 0) {
+        centre = vertices_[static_cast<std::size_t>(vertex)].place;
+    } else {
+        double least = options_.snap_cm;
+        for (const NetworkLine& line : lines_) {
+            if (!line.alive || line.layer != layer_) continue;
+            if (const NearestOnLine near = nearest_on_line(line.shape, from); near.distance < least)
+                least = near.distance, centre = near.place;
+        }
+        if (least == options_.snap_cm) return bad("There is no vertex to move there.");
+    }
+    const Vec3 shift = to - centre;
     const auto moved = [&](Vec3 p) {
         const double d = length(p - centre);
         if (d >= std::max(radius, 1e-9)) return d > 0.0 ? p : p + shift;

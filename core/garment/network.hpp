@@ -101,6 +101,9 @@ class Network {
     /// half becomes `new_name`.
     [[nodiscard]] Result<void> cut_hole(const std::string& region, SpaceLine loop, const std::string& new_name);
 
+    /// A region is none any more; its lines stay, and its outline may become another's. Nothing for an unknown name.
+    void release_region(const std::string& name);
+
     /// Removes a region, and the lines that no other region has.
     [[nodiscard]] Result<void> remove_region(const std::string& name);
 
@@ -113,8 +116,8 @@ class Network {
     /// Says which parts of the body a region lies over. Halves of a cut region keep them.
     [[nodiscard]] Result<void> associate(const std::string& region, PartSet parts);
 
-    /// Moves the vertex nearest to `from` to `to`, and all lines of its layer within `radius` of it with it, less the
-    /// farther they are.
+    /// Moves the vertex nearest to `from`, or without one the nearest place of a line, to `to`, and all lines of its
+    /// layer within `radius` of it with it, less the farther they are.
     [[nodiscard]] Result<void> move(Vec3 from, Vec3 to, double radius);
 
     /// Joins the vertices nearest to two places, which must not be the ends of one line; the second comes to the first.

@@ -18,16 +18,16 @@ namespace core {
 
 struct BuildRequest {
     DesignRunner state;
-    std::uint64_t number = 0;  ///< of the state of the desk; a later one has a higher number
+    std::uint64_t number = 0;        ///< of the state of the desk; a later one has a higher number
     std::optional<DesignStep> body;  ///< a Body step to try on, while its slider moves
 };
 
 struct BuildResult {
     std::uint64_t number = 0;
-    bool complete = false;           ///< false when it was stopped
-    bool trial = false;              ///< for BuildRequest::body
-    std::vector<BuiltLayer> layers;  ///< inner ones first
-    std::vector<DeskNote> faults;    ///< "not_filled" and "layers_touch", with the piece or layer and the place
+    bool complete = false;                  ///< false when it was stopped
+    bool trial = false;                     ///< for BuildRequest::body
+    std::vector<BuiltLayer> layers;         ///< inner ones first
+    std::vector<DeskNote> faults;           ///< "not_filled" and "layers_touch", with the piece or layer and the place
     std::shared_ptr<const DressForm> form;  ///< that it is worn by
 };
 

@@ -11,13 +11,13 @@
 namespace core {
 
 enum class DeskTool {
-    Select,        ///< picks a vertex, a line, a region
-    DrawOnPlane,   ///< in the plane that the view looks at: x = , y = or z = constant
-    DrawOnBody,    ///< on the body or the cloth below, DeskSettings::offset_cm outside of it
-    DrawTemporary, ///< in the plane through the last point, along the view (thesis 3.1, figure 3.3)
-    Add,           ///< on the body, from the edge of a piece to its edge: the piece between the two; a tap fills an outline
-    Cut,           ///< across a piece
-    Hole,          ///< a closed line inside a piece
+    Select,         ///< picks a vertex, a line, a region
+    DrawOnPlane,    ///< in the plane that the view looks at: x = , y = or z = constant
+    DrawOnBody,     ///< on the body or the cloth below, DeskSettings::offset_cm outside of it
+    DrawTemporary,  ///< in the plane through the last point, along the view (thesis 3.1, figure 3.3)
+    Add,   ///< on the body, from the edge of a piece to its edge: the piece between the two; a tap fills an outline
+    Cut,   ///< across a piece
+    Hole,  ///< a closed line inside a piece
     RemoveRegion,  ///< the piece under the pen, and lines that no other has
     Corner,        ///< on and off, by a tap at a piece's edge
     Move,          ///< a vertex with its neighbours
@@ -39,13 +39,13 @@ struct DeskSettings {
     double offset_cm = 1.0;  ///< from the body
     /// Where the plane lies along its axis; none: through the vertex or line that the stroke starts at, else at 0.
     std::optional<double> plane_cm;
-    double reach_cm = 1.5;          ///< how far from the pen a vertex or line is met, in the view
-    double move_radius_cm = 12.0;   ///< Move: how far its neighbours follow
-    double wave_cm = 8.0;           ///< Bump: length of a wave
-    double wave_depth_cm = 1.5;     ///< Bump: to either side
-    bool to_landmarks = true;       ///< ends of lines are put to landmarks that they are near
-    bool closes_regions = true;     ///< outlines become pieces by themselves
-    double alpha = kCoonsAlpha;     ///< of new pieces
+    double reach_cm = 1.5;         ///< how far from the pen a vertex or line is met, in the view
+    double move_radius_cm = 12.0;  ///< Move: how far its neighbours follow
+    double wave_cm = 8.0;          ///< Bump: length of a wave
+    double wave_depth_cm = 1.5;    ///< Bump: to either side
+    bool to_landmarks = true;      ///< ends of lines are put to landmarks that they are near
+    bool closes_regions = true;    ///< outlines become pieces by themselves
+    double alpha = kCoonsAlpha;    ///< of new pieces
 };
 
 /// Something to tell the designer, at its place.

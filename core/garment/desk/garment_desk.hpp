@@ -153,7 +153,7 @@ class GarmentDesk {
   private:
     struct OpenStroke {
         SketchStroke parts;
-        bool lifted = false;     // paused
+        bool lifted = false;        // paused
         std::optional<int> vertex;  // Move, Weld: that it began at
         std::optional<Network> dragged;
         DrawingView view;
