@@ -19,15 +19,15 @@ using ToolKind = DrawingTool::Kind;
 constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
 constexpr const char* kFormat = "croquis-garment";
 
-constexpr std::array<std::pair<Kind, const char*>, 23> kSteps{
-    {{Kind::Line, "line"},         {Kind::Region, "region"},       {Kind::Cut, "cut"},
-     {Kind::Hole, "hole"},         {Kind::Remove, "remove"},       {Kind::Corner, "corner"},
-     {Kind::Alpha, "alpha"},       {Kind::Move, "move"},           {Kind::Weld, "weld"},
-     {Kind::Layer, "layer"},       {Kind::Associate, "associate"}, {Kind::Erase, "erase"},
-     {Kind::Smooth, "smooth"},     {Kind::Bump, "bump"},           {Kind::Rename, "rename"},
-     {Kind::Material, "material"}, {Kind::Mirror, "mirror"},       {Kind::Work, "work"},
-     {Kind::Order, "order"},       {Kind::Show, "show"},           {Kind::Body, "body"},
-     {Kind::Place, "place"},       {Kind::Unplace, "unplace"}}};
+constexpr std::array<std::pair<Kind, const char*>, 24> kSteps{
+    {{Kind::Line, "line"},     {Kind::Region, "region"},       {Kind::Cut, "cut"},
+     {Kind::Hole, "hole"},     {Kind::Remove, "remove"},       {Kind::Corner, "corner"},
+     {Kind::Alpha, "alpha"},   {Kind::Move, "move"},           {Kind::Weld, "weld"},
+     {Kind::Layer, "layer"},   {Kind::Associate, "associate"}, {Kind::Erase, "erase"},
+     {Kind::Join, "join"},     {Kind::Smooth, "smooth"},       {Kind::Bump, "bump"},
+     {Kind::Rename, "rename"}, {Kind::Material, "material"},   {Kind::Mirror, "mirror"},
+     {Kind::Work, "work"},     {Kind::Order, "order"},         {Kind::Show, "show"},
+     {Kind::Body, "body"},     {Kind::Place, "place"},         {Kind::Unplace, "unplace"}}};
 constexpr std::array<std::pair<ToolKind, const char*>, 6> kTools{{{ToolKind::Body, "body"},
                                                                   {ToolKind::PlaneXY, "plane_xy"},
                                                                   {ToolKind::PlaneXZ, "plane_xz"},
@@ -193,7 +193,7 @@ Json body_to(const BodyMeasures& measures) {
 }
 
 bool along_line(Kind kind) {
-    return kind == Kind::Erase || kind == Kind::Smooth || kind == Kind::Bump;
+    return kind == Kind::Erase || kind == Kind::Join || kind == Kind::Smooth || kind == Kind::Bump;
 }
 bool of_layer(const DesignStep& step) {
     return step.kind == Kind::Work || step.kind == Kind::Show || (step.kind == Kind::Rename && step.region.empty());
@@ -218,6 +218,7 @@ void since_version_3(const Json& json, DesignStep& step) {
     if (has_ends(step.kind) && json.contains("ends_to")) step.ends_to = place_at(json, "ends_to");
     if (step.kind == Kind::Region && json.contains("replaces")) step.region = text(json, "replaces");
     if (along_line(step.kind)) step.lines = {text(json, "line")};
+    if (step.kind == Kind::Join) step.at = place_at(json, "at");
     if (step.kind == Kind::Smooth || step.kind == Kind::Bump) {
         step.at = place_at(json, "at");
         step.to = place_at(json, "to");
@@ -252,6 +253,7 @@ void since_version_3(const DesignStep& step, Json& json) {
     if (has_ends(step.kind) && step.ends_to) json["ends_to"] = places(*step.ends_to);
     if (step.kind == Kind::Region && !step.region.empty()) json["replaces"] = step.region;
     if (along_line(step.kind)) json["line"] = step.lines.empty() ? std::string() : step.lines.front();
+    if (step.kind == Kind::Join) json["at"] = places(step.at);
     if (step.kind == Kind::Smooth || step.kind == Kind::Bump) {
         json["at"] = places(step.at);
         json["to"] = places(step.to);

@@ -29,6 +29,7 @@ std::string step_subject(const DesignStep& step) {
         case Kind::Material:
             return "region \"" + step.region + "\"";
         case Kind::Erase:
+        case Kind::Join:
         case Kind::Smooth:
         case Kind::Bump:
             return step.lines.empty() ? std::string() : "line \"" + step.lines.front() + "\"";
@@ -220,6 +221,8 @@ Result<void> DesignRunner::change(Network& next, const DesignStep& step) const {
             return next.associate(step.region, step.parts);
         case Kind::Erase:
             return next.erase_line(piece);
+        case Kind::Join:
+            return next.join(step.at, piece);
         case Kind::Smooth:
             return next.smooth(piece, step.at, step.to);
         case Kind::Bump:

@@ -51,6 +51,7 @@ struct DesignStep {
         Layer,
         Associate,
         Erase,     ///< a line goes, with the regions it bounds; their other lines stay
+        Join,      ///< the loose end at `at` comes to a line that passes it
         Smooth,    ///< a stretch of a line loses its small waves
         Bump,      ///< a stretch of a line gets waves: folds
         Rename,    ///< a region, or where `region` is empty a layer

@@ -553,6 +553,10 @@ Result<void> Network::weld(Vec3 keep, Vec3 move) {
     const double reach = options_.snap_cm;
     const int stays = nearest_vertex(keep, reach), goes = nearest_vertex(move, reach);
     if (stays < 0 || goes < 0 || stays == goes) return bad("There are no two vertices to join there.");
+    return weld_vertices(stays, goes);
+}
+
+Result<void> Network::weld_vertices(int stays, int goes) {
     for (const NetworkLine& line : lines_)
         if (line.alive && std::minmax(line.from, line.to) == std::minmax(stays, goes))
             return bad("The two ends of the line " + quoted(line.name) + " cannot be joined.");
@@ -577,6 +581,20 @@ Result<void> Network::erase_line(const std::string& piece) {
     lines_[static_cast<std::size_t>(line)].alive = false;
     drop_unused_vertices();
     return {};
+}
+
+Result<void> Network::join(Vec3 end, const std::string& piece) {
+    const int line = line_named(piece), goes = nearest_vertex(end, options_.snap_cm);
+    if (line < 0 || goes < 0) return bad("There is no line end to join to " + quoted(piece) + " there.");
+    const NetworkLine& own = lines_[static_cast<std::size_t>(line)];
+    if (own.from == goes || own.to == goes) return bad("The line " + quoted(piece) + " cannot be joined to itself.");
+    const Vec3 place = vertices_[static_cast<std::size_t>(goes)].place;
+    const NearestOnLine near = nearest_on_line(own.shape, place);
+    const double total = line_length(own.shape), margin = std::min(options_.snap_cm, 0.4 * total);
+    const int stays = near.along < margin           ? own.from
+                      : near.along > total - margin ? own.to
+                                                    : split_at(line, near.along);
+    return weld_vertices(stays, goes);
 }
 
 namespace {

@@ -126,6 +126,9 @@ class Network {
     /// Takes a piece of a line away, "hem" or "hem/2", and the regions that it bounds; their other lines stay.
     [[nodiscard]] Result<void> erase_line(const std::string& piece);
 
+    /// Brings the vertex nearest to `end` to a piece of a line, at its nearest place, which is split there.
+    [[nodiscard]] Result<void> join(Vec3 end, const std::string& piece);
+
     /// Takes the waves shorter than about 10 cm out of a piece of a line between the places nearest to `at` and `to`.
     [[nodiscard]] Result<void> smooth(const std::string& piece, Vec3 at, Vec3 to);
 
@@ -179,6 +182,7 @@ class Network {
     [[nodiscard]] NetworkRegion* region_named(const std::string& name);
     [[nodiscard]] Result<void> part_ring(int region, const std::vector<int>& lines, int from, int to,
                                          const std::string& new_name);
+    [[nodiscard]] Result<void> weld_vertices(int stays, int goes);
     void drop_unused_vertices();
 
     NetworkOptions options_;

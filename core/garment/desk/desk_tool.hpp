@@ -44,6 +44,8 @@ struct DeskSettings {
     double wave_cm = 8.0;          ///< Bump: length of a wave
     double wave_depth_cm = 1.5;    ///< Bump: to either side
     bool to_landmarks = true;      ///< ends of lines are put to landmarks that they are near
+    bool joins_in_view = true;     ///< ends that the pen draws onto a vertex or line meet it, whatever their depth
+    bool cuts_on_body = false;     ///< Cut, Hole: drawn offset_cm from the body; else on the piece itself
     bool closes_regions = true;    ///< outlines become pieces by themselves
     double alpha = kCoonsAlpha;    ///< of new pieces
 };

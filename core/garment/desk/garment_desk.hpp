@@ -116,6 +116,8 @@ class GarmentDesk {
     [[nodiscard]] Design design() const;  ///< up to the place in the history
     [[nodiscard]] const DesignRunner& state() const { return history_.now(); }
     [[nodiscard]] const Network& network() const { return state().network(); }
+    /// The lines to draw: while a vertex is dragged, where they would be.
+    [[nodiscard]] const Network& shown_network() const;
     [[nodiscard]] int layer() const { return state().layer(); }
     [[nodiscard]] std::vector<LayerRow> layers() const;  ///< inner ones first
     [[nodiscard]] const std::vector<DesignFault>& faults() const { return faults_; }
@@ -153,17 +155,48 @@ class GarmentDesk {
   private:
     struct OpenStroke {
         SketchStroke parts;
-        bool lifted = false;        // paused
-        std::optional<int> vertex;  // Move, Weld: that it began at
+        std::vector<DeskTool> tools;  // of each part
+        std::unique_ptr<QuadMesh> piece;
+        std::unique_ptr<StrokeLifter> lifter;
+        bool lifted = false;  // paused
+        Pick grabbed;         // what Move, Weld, Smooth, Bump began at
+        Vec3 to;              // Move: where it is now
         std::optional<Network> dragged;
-        DrawingView view;
-        Point first;
+        DrawingView view;  // of the first and last sample
+        Point first, last;
     };
+    struct LiftedStroke;
 
-    GarmentDesk(Design settings, DesignRunner start, FormSource source);
+    GarmentDesk(Design settings, DesignRunner start);
+
+    DeskReply act(const std::vector<DesignStep>& steps, bool closes = false);
+    void join_ends(DesignRunner& next, std::vector<DesignStep>& saved) const;
+    void close_regions(DesignRunner& next, std::vector<DesignStep>& saved, DeskReply& reply) const;
+    void went();  // to another state
+
+    void begin_part(const DrawingView& view, Point at);
+    void add_sample(Point at);
+    [[nodiscard]] DrawingTool lifting_tool(const DrawingView& view, Point at) const;
+    [[nodiscard]] double plane_through_start(const DrawingView& view, Point at, int axis) const;
+    void add_anchor(const DrawingView& view, Point at);
+    [[nodiscard]] std::optional<Vec3> joined(const DrawingView& view, Point at, Vec3 end) const;
+    void preview_stroke();
+    void drag(const DrawingView& view, Point at);
+    bool ready_live(int layer);
+
+    DeskReply end_line(OpenStroke stroke);
+    DeskReply add_between_ends(const DesignStep& line);
+    DeskReply fill_at(const DrawingView& view, Point at);
+    DeskReply end_cut(OpenStroke stroke, DesignStep::Kind kind);
+    DeskReply end_along(const OpenStroke& stroke, DesignStep::Kind kind);
+    DeskReply end_weld(const OpenStroke& stroke);
+    DeskReply end_move(const OpenStroke& stroke);
+    DeskReply end_tap(const OpenStroke& stroke, DeskTool tool);
+    DeskReply end_tape(const OpenStroke& stroke);
+    [[nodiscard]] TapeReading girth_at(const DrawingView& view, Point at) const;
+
     Design settings_only_;
     DesignHistory history_;
-    FormSource source_;
     DeskSettings settings_;
     std::optional<OpenStroke> open_;
     StrokePreview preview_;
@@ -175,6 +208,7 @@ class GarmentDesk {
     std::shared_ptr<const DressForm> shown_form_;
     std::optional<LiveCloth> live_;
     int live_layer_ = 0;
+    bool live_shown_ = false;
 };
 
 }  // namespace core

@@ -10,6 +10,7 @@
 // What is shown is the finished cloth moved by what the filling moved: it does not jump when the drag begins, and is
 // fitted to the body again when it rests.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -33,7 +34,6 @@ class LiveCloth {
 
     [[nodiscard]] const std::vector<Vec3>& places() const { return places_; }
 
-    /// The network's boundary of 0 … as a vertex of the cloth: -1 for none. For handles.
     [[nodiscard]] std::size_t pieces() const { return pieces_.size(); }
 
   private:
