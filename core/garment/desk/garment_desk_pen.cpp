@@ -247,9 +247,8 @@ void GarmentDesk::add_sample(Point at) {
 /// The vertex, or place on a line, that the pen met with an end of its stroke that lies elsewhere in depth.
 std::optional<Vec3> GarmentDesk::joined(const DrawingView& view, Point at, Vec3 end) const {
     if (!settings_.joins_in_view) return std::nullopt;
-    const SnapTarget by_itself =
-        snap_target(network(), layer(), {}, end, settings_only_.network.snap_cm, state().look().mirror);
-    if (by_itself.kind != SnapTarget::Kind::None && by_itself.kind != SnapTarget::Kind::Line) return std::nullopt;
+    const SnapTarget by_itself = snap_target(network(), layer(), {}, end, settings_only_.network.snap_cm, false);
+    if (by_itself.kind == SnapTarget::Kind::Vertex) return std::nullopt;
     std::optional<Vec3> best;
     double least = kJoinDepth_cm;
     for (const NetworkVertex& vertex : network().vertices()) {
