@@ -46,6 +46,8 @@ enum class Control {
     EraseDigit,
     Cancel,
     Station,  ///< item: see station_item
+    Mode,     ///< item: 0 Find, 1 Garment
+    Garment,  ///< item: see garment_item
 };
 
 /// Everything that Find shows, as values.
