@@ -73,4 +73,21 @@ bool DepthMap::hides(core::Vec3 place, double slack_cm) const {
     return near > at.near + slack_cm;
 }
 
+bool DepthMap::covered(core::Point px, double reach_px) const {
+    const double cx = px.x / cell_px_, cy = px.y / cell_px_, r = std::max(0.5, reach_px / cell_px_);
+    const int x0 = std::max(0, static_cast<int>(std::floor(cx - r))),
+              x1 = std::min(width_ - 1, static_cast<int>(cx + r));
+    const int y0 = std::max(0, static_cast<int>(std::floor(cy - r))),
+              y1 = std::min(height_ - 1, static_cast<int>(cy + r));
+    for (int y = y0; y <= y1; ++y) {
+        for (int x = x0; x <= x1; ++x) {
+            if (std::hypot(x + 0.5 - cx, y + 0.5 - cy) > r + 0.71) continue;
+            if (near_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)] >
+                kNothing)
+                return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace ui

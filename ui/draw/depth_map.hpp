@@ -20,6 +20,8 @@ class DepthMap {
 
     /// Whether something lies before the place by more than `slack_cm`. Places off the picture are not hidden.
     [[nodiscard]] bool hides(core::Vec3 place, double slack_cm = 1.5) const;
+    /// Whether anything is drawn within `reach_px` of a place of the picture.
+    [[nodiscard]] bool covered(core::Point px, double reach_px) const;
     [[nodiscard]] const FigureCamera& camera() const { return camera_; }
 
   private:

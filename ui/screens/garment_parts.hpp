@@ -38,8 +38,4 @@ struct FabricPlaces {
 };
 [[nodiscard]] FabricPlaces fabric_places(const GarmentLayout& layout, std::size_t fabrics);
 
-/// The five swatches of layers, then further ones for pieces.
-inline constexpr std::array<std::uint32_t, 10> kSwatches{0xE2C690, 0xB4BFC9, 0xC9B1A8, 0xB7C2A4, 0xCFC6DA,
-                                                         0xF1ECE0, 0x5B6F8C, 0x8C4A43, 0x55624C, 0x3B3733};
-
 }  // namespace ui

@@ -67,6 +67,9 @@ void draw_sheet_line(DrawList& list, const SheetLine& line, double scale, const 
             list.ink(pieces_of(line.px, 2.25 * scale, {14 * scale, 10 * scale}), palette::kSanguine.faded(strength),
                      clip);
             break;
+        case SheetLine::Kind::Seam:  // of cloth that is there: its edge, no more
+            if (!line.dimmed) list.ink(pieces_of(line.px, 1.1 * scale, {}), palette::kInk.faded(0.8F), clip);
+            break;
         case SheetLine::Kind::Tape:
             list.ink(pieces_of(line.px, 1.75 * scale, {}), line.dimmed ? Colour::hex(0xDDB5AA) : palette::kSanguine,
                      clip);

@@ -8,7 +8,7 @@
 namespace ui {
 
 struct SheetLine {
-    enum class Kind { Plane, Body, Temporary, Mirrored, Cut, Tape };
+    enum class Kind { Plane, Body, Temporary, Mirrored, Cut, Tape, Seam };
     Kind kind = Kind::Plane;
     bool selected = false, dimmed = false;
     core::Polyline px;
