@@ -63,6 +63,8 @@ std::vector<Option> make_options() {
     o.push_back(Option{"visitors", "attract",
                        "Drawings that draw themselves while nobody is there; false: an empty sheet waits.",
                        Switch([](Config& c) -> bool& { return c.visitors.attract; })});
+    o.push_back(Option{"visitors", "garment", "Whether visitors can draw garments on a figure.",
+                       Switch([](Config& c) -> bool& { return c.visitors.garment; })});
 
     o.push_back(Option{
         "idle", "ask_s", "Without input, before \"Still there?\" is asked.", Number([](Config& c) -> double& {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "firmware_like_app/kiosk/drawing_recorder.hpp"
 #include "ui/screens/widgets.hpp"
 
 namespace app {
@@ -52,21 +53,22 @@ GarmentMode::GarmentMode(const ui::FontSet& fonts, const std::vector<ui::Strings
     views_.lay_out(layout_, painter_);
     views_.set_quads(quads_);
     make_fabric_tiles();
-    start_desk();
 }
 
 GarmentMode::~GarmentMode() = default;
 
 // ---- the desk
 
-void GarmentMode::start_desk() {
-    desk_.reset();
+void GarmentMode::prepare() {
+    if (desk_ || coming_.valid() || !failure_.empty()) return;
     coming_ = std::async(std::launch::async, empty_desk, options_.size);
 }
 
 /// Waits for the body of an empty design, when it is needed before it is there.
 void GarmentMode::ready_desk() {
-    if (desk_ || !coming_.valid()) return;
+    if (desk_) return;
+    prepare();
+    if (!coming_.valid()) return;
     core::Result<core::GarmentDesk> desk = coming_.get();
     if (!desk) {
         failure_ = desk.error().sentence();
@@ -263,8 +265,48 @@ core::DeskTool GarmentMode::desk_tool() const {
     return core::DeskTool::Select;
 }
 
-void GarmentMode::pointer(const ui::WindowEvent& event) {
+/// What pointed, for drawing the same again. A folder that is full costs the recording, never the drawing.
+void GarmentMode::record(const ui::WindowEvent& event) {
+    if (options_.record.empty() || recording_failed_) return;
+    if (!recorder_) {
+        const GarmentStart start{layout_.screen, words().code(), options_.hand};
+        core::Result<std::unique_ptr<GarmentRecorder>> recorder =
+            GarmentRecorder::create(next_free(options_.record, "garment"), start, event.time_us);
+        recording_failed_ = !recorder.has_value();
+        if (recording_failed_) return;
+        recorder_ = std::move(*recorder);
+    }
+    recorder_->record(event);
+}
+
+/// Two fingers, or the wheel. What one finger drew until the second came is taken back: it was never meant as a line.
+void GarmentMode::gesture(const ui::WindowEvent& event) {
+    if (drawer_ != ui::GarmentDrawer::None) return;
+    if (event.finger && hold_ == Hold::Drawing && desk_) {
+        desk_->cancel();
+        stroke_px_.clear();
+        drawing_due_ = live_due_ = true;
+        hold_ = Hold::Gesture;
+    }
+    if (hold_ != Hold::None && hold_ != Hold::Gesture) return;
+    const core::Point middle{layout_.figure.centre_x(), layout_.figure.centre_y()};
+    const core::Point at = event.x >= 0 && event.finger ? core::Point{event.x, event.y} : pointer_px_.value_or(middle);
+    if (event.zoom != 0) views_.zoom(event.zoom, layout_.sheet.contains(at.x, at.y) ? at : middle);
+    if (event.shift_x == 0 && event.shift_y == 0) return;
+    if (views_.view() == ui::GarmentView::Solid) {
+        views_.turn(-event.shift_x * kTurn_rad_per_px / layout_.scale,
+                    event.shift_y * kTurn_rad_per_px / layout_.scale);
+    } else {
+        views_.move_by({event.shift_x, event.shift_y});
+    }
+}
+
+void GarmentMode::pointer(const ui::WindowEvent& seen) {
     using Kind = ui::WindowEvent::Kind;
+    ui::WindowEvent event = seen;
+    event.x = whole_64ths(seen.x);
+    event.y = whole_64ths(seen.y);
+    record(event);
     ready_desk();
     if (event.kind != Kind::Zoom) pointer_px_ = core::Point{event.x, event.y};
     eraser_near_ = event.pen && event.eraser && event.kind != Kind::Leave;
@@ -281,12 +323,7 @@ void GarmentMode::pointer(const ui::WindowEvent& event) {
             if (event.finger) pointer_px_.reset();
             break;
         case Kind::Zoom:
-            if (hold_ == Hold::None && drawer_ == ui::GarmentDrawer::None) {
-                const core::Point middle{layout_.figure.centre_x(), layout_.figure.centre_y()};
-                const core::Point at = pointer_px_.value_or(middle);
-                views_.zoom(event.zoom, layout_.sheet.contains(at.x, at.y) ? at : middle);
-                drawing_due_ = true;
-            }
+            gesture(event);
             break;
         case Kind::TakeBack:
             touch_.cancel();
@@ -408,6 +445,7 @@ void GarmentMode::drag(const ui::WindowEvent& event) {
             break;
         }
         case Hold::None:
+        case Hold::Gesture:
             break;
     }
     last_px_ = at;
@@ -426,6 +464,7 @@ void GarmentMode::slide(double x) {
 
 void GarmentMode::release(const ui::WindowEvent& event) {
     const Hold held = std::exchange(hold_, Hold::None);
+    repeat_until(event.time_us);
     repeat_us_.reset();
     if (held == Hold::Drawing) {
         end_stroke(event);
@@ -478,12 +517,27 @@ void GarmentMode::drop_hold(std::int64_t now_us) {
 }
 
 void GarmentMode::cancel_pointer(std::int64_t now_us) {
-    if (hold_ != Hold::None) drop_hold(now_us);
+    if (hold_ != Hold::None) {
+        ui::WindowEvent cancelled;
+        cancelled.kind = ui::WindowEvent::Kind::Cancel;
+        cancelled.time_us = now_us;
+        record(cancelled);
+        drop_hold(now_us);
+    }
     pointer_px_.reset();
     pen_hovers_ = eraser_near_ = false;
 }
 
 // ---- frames
+
+/// A stepper that is held goes on stepping: as often as its time allows, whenever frames come.
+void GarmentMode::repeat_until(std::int64_t now_us) {
+    while (repeat_us_ && now_us >= *repeat_us_) {
+        step_offset(repeat_by_);
+        repeat_us_ = *repeat_us_ + kRepeatEvery_us;
+        moved_ = true;
+    }
+}
 
 void GarmentMode::update(std::int64_t now_us) {
     if (!desk_) {
@@ -492,11 +546,7 @@ void GarmentMode::update(std::int64_t now_us) {
         ready_desk();
         if (!desk_) return;
     }
-    if (repeat_us_ && now_us >= *repeat_us_) {
-        step_offset(repeat_by_);
-        repeat_us_ = *repeat_us_ + kRepeatEvery_us;
-        moved_ = true;
-    }
+    repeat_until(now_us);
     if (cleared_ && now_us - cleared_us_ > kClearedOffer_us) {
         cleared_ = false;
         put_away_.reset();
@@ -560,11 +610,13 @@ bool GarmentMode::has_work() const {
 }
 
 void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
+    recorder_.reset();
+    recording_failed_ = false;
     touch_.cancel();
     hold_ = Hold::None;
     pointer_px_.reset();
     stroke_px_.clear();
-    const bool worked = !desk_ || has_work() || desk_->state().settings().body.cm != GarmentBody().measures().cm;
+    const bool worked = desk_ && (has_work() || desk_->state().settings().body.cm != GarmentBody().measures().cm);
     tool_ = ui::GarmentTool::OnBody;
     page_ = 0;
     offset_cm_ = 1.2;
@@ -590,7 +642,8 @@ void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
     if (worked) {
         builder_.forget();
         textured_.clear();
-        start_desk();
+        desk_.reset();
+        prepare();
         views_.set_dress({});
     }
     set_hand(hand);

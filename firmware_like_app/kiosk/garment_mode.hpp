@@ -14,6 +14,7 @@
 #include "firmware_like_app/kiosk/garment_body.hpp"
 #include "firmware_like_app/kiosk/garment_builder.hpp"
 #include "firmware_like_app/kiosk/garment_sheet.hpp"
+#include "firmware_like_app/kiosk/garment_trace.hpp"
 #include "firmware_like_app/kiosk/mode.hpp"
 #include "ui/draw/painter.hpp"
 #include "ui/screens/garment_screen.hpp"
@@ -24,12 +25,13 @@ struct GarmentOptions {
     std::size_t language = 0;
     ui::Hand hand = ui::Hand::Right;
     std::string size = "38";       ///< of a new design's body
+    std::filesystem::path record;  ///< folder for a trace of each visit; empty: none
     bool every_frame_seen = true;  ///< false: cloth is made before the next frame, for pictures and replays
 };
 
 class GarmentMode final : public Mode {
   public:
-    /// The body of an empty design is made on a thread of its own meanwhile. All references must outlive the mode.
+    /// All references must outlive the mode.
     [[nodiscard]] static core::Result<std::unique_ptr<GarmentMode>> create(const ui::FontSet& fonts,
                                                                            const std::vector<ui::Strings>& languages,
                                                                            const GarmentOptions& options,
@@ -50,6 +52,9 @@ class GarmentMode final : public Mode {
     [[nodiscard]] ui::Hand hand() const override { return options_.hand; }
     void set_hand(ui::Hand hand) override;
 
+    /// Makes the body of an empty design on a thread of its own, so that it is there when the visitor comes. Without
+    /// this it is made when the mode is first used.
+    void prepare();
     /// Another design in place of the one at work. Its body is made first: some 100 ms.
     [[nodiscard]] core::Result<void> open(const core::Design& design);
     /// The design as it stands.
@@ -68,10 +73,9 @@ class GarmentMode final : public Mode {
     GarmentMode(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages, const GarmentOptions& options,
                 ui::SizePx screen, ui::Painter painter, FigureViews views);
     /// What the pointer does between its down and its up.
-    enum class Hold { None, Board, Drawing, Turning, Moving, Folds, Measure, List };
+    enum class Hold { None, Board, Drawing, Turning, Moving, Folds, Measure, List, Gesture };
 
     // desk
-    void start_desk();
     void ready_desk();
     void take_reply(const core::DeskReply& reply, std::int64_t now_us);
     void note(const core::DeskNote& note);
@@ -84,6 +88,9 @@ class GarmentMode final : public Mode {
     [[nodiscard]] std::string piece_for_folds() const;
 
     // pointer
+    void record(const ui::WindowEvent& event);
+    void gesture(const ui::WindowEvent& event);
+    void repeat_until(std::int64_t now_us);
     void press(const ui::WindowEvent& event);
     void touch_sheet(const ui::WindowEvent& event);
     void drag(const ui::WindowEvent& event);
@@ -164,8 +171,10 @@ class GarmentMode final : public Mode {
     double folds_ = 0;        // while they are held
     std::string folds_piece_;
     double scroll_px_ = 0, scroll_start_px_ = 0;
-    std::optional<std::int64_t> repeat_us_;  // of a stepper that is held
+    std::optional<std::int64_t> repeat_us_;  // of a stepper that is held: the next step
     int repeat_by_ = 0;
+    std::unique_ptr<GarmentRecorder> recorder_;
+    bool recording_failed_ = false;
 
     SheetDrawing drawing_;
     bool drawing_due_ = true, live_due_ = false;

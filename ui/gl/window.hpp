@@ -38,6 +38,7 @@ struct WindowEvent {
     bool eraser = false;  ///< the pen's other end
     bool button = false;  ///< a pen with its button held, or the mouse's other button
     double zoom = 0.0;    ///< of Zoom: doublings of the size
+    double shift_x = 0.0, shift_y = 0.0;  ///< of Zoom: how far two fingers moved together
 };
 
 struct WindowOptions {

@@ -54,6 +54,7 @@ enum class Control {
 struct FindState {
     std::size_t language = 0;  ///< index into the languages
     Tool tool = Tool::Pen;
+    bool modes = false;     ///< the switch to Garment is offered
     bool fine_pen = false;  ///< of the two widths of line the finer one
     bool can_undo = false, can_redo = false;
     bool sheet_empty = true;
