@@ -26,7 +26,7 @@ struct ExportJob {
 struct ExportState {
     enum class Stage { Idle, Dressing, Pictures, Writing, Saved, Failed };
     Stage stage = Stage::Idle;
-    double share = 0;                   ///< of all the work, 0 … 1
+    double share = 0;                        ///< of all the work, 0 … 1
     std::filesystem::path folder = {};       ///< Saved: where
     std::optional<ExportFault> fault = {};   ///< Failed: why
     std::vector<std::string> warnings = {};  ///< what could not be made and is missing
