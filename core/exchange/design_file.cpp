@@ -19,22 +19,21 @@ using ToolKind = DrawingTool::Kind;
 constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
 constexpr const char* kFormat = "croquis-garment";
 
-constexpr std::array<std::pair<Kind, const char*>, 11> kSteps{{{Kind::Line, "line"},
-                                                               {Kind::Region, "region"},
-                                                               {Kind::Cut, "cut"},
-                                                               {Kind::Hole, "hole"},
-                                                               {Kind::Remove, "remove"},
-                                                               {Kind::Corner, "corner"},
-                                                               {Kind::Alpha, "alpha"},
-                                                               {Kind::Move, "move"},
-                                                               {Kind::Weld, "weld"},
-                                                               {Kind::Layer, "layer"},
-                                                               {Kind::Associate, "associate"}}};
-constexpr std::array<std::pair<ToolKind, const char*>, 5> kTools{{{ToolKind::Body, "body"},
+constexpr std::array<std::pair<Kind, const char*>, 24> kSteps{
+    {{Kind::Line, "line"},     {Kind::Region, "region"},       {Kind::Cut, "cut"},
+     {Kind::Hole, "hole"},     {Kind::Remove, "remove"},       {Kind::Corner, "corner"},
+     {Kind::Alpha, "alpha"},   {Kind::Move, "move"},           {Kind::Weld, "weld"},
+     {Kind::Layer, "layer"},   {Kind::Associate, "associate"}, {Kind::Erase, "erase"},
+     {Kind::Join, "join"},     {Kind::Smooth, "smooth"},       {Kind::Bump, "bump"},
+     {Kind::Rename, "rename"}, {Kind::Material, "material"},   {Kind::Mirror, "mirror"},
+     {Kind::Work, "work"},     {Kind::Order, "order"},         {Kind::Show, "show"},
+     {Kind::Body, "body"},     {Kind::Place, "place"},         {Kind::Unplace, "unplace"}}};
+constexpr std::array<std::pair<ToolKind, const char*>, 6> kTools{{{ToolKind::Body, "body"},
                                                                   {ToolKind::PlaneXY, "plane_xy"},
                                                                   {ToolKind::PlaneXZ, "plane_xz"},
                                                                   {ToolKind::PlaneYZ, "plane_yz"},
-                                                                  {ToolKind::Temporary, "temporary"}}};
+                                                                  {ToolKind::Temporary, "temporary"},
+                                                                  {ToolKind::Piece, "piece"}}};
 constexpr std::array<const char*, 5> kViews{"front", "back", "left", "right", "top"};
 
 /// Thrown within this file only: what is wrong, as the rest of a sentence.
@@ -81,7 +80,20 @@ const char* to_name(const std::array<std::pair<Value, const char*>, n>& names, V
     return "";
 }
 
+/// A parallel view from any side: since version 3.
+DrawingView parallel_view(const Json& json) {
+    DrawingView view;
+    view.right = place_at(json, "right");
+    view.up = place_at(json, "up");
+    view.toward = cross(view.right, view.up);
+    const auto is_unit = [](Vec3 v) { return std::abs(length(v) - 1.0) < 1e-6; };
+    if (!is_unit(view.right) || !is_unit(view.up) || std::abs(dot(view.right, view.up)) > 1e-6)
+        throw Fault("\"right\" and \"up\" of a view are no unit vectors across each other");
+    return view;
+}
+
 DrawingView view_from(const Json& json) {
+    if (json.is_object() && json.contains("right")) return parallel_view(json);
     Result<DrawingView> view = json.is_string()   ? named_view(json.get<std::string>())
                                : json.is_object() ? perspective_view(place_at(json, "eye"), place_at(json, "target"))
                                                   : unexpected(ErrorCode::BadFormat, "\"view\" is missing");
@@ -90,13 +102,13 @@ DrawingView view_from(const Json& json) {
 }
 
 Json view_to(const DrawingView& view) {
-    if (view.eye_distance > 0.0) {
-        const Vec3 eye = view.centre + view.toward * view.eye_distance;
-        return {{"eye", {eye.x, eye.y, eye.z}}, {"target", {view.centre.x, view.centre.y, view.centre.z}}};
-    }
+    const auto places = [](Vec3 p) { return Json{p.x, p.y, p.z}; };
+    if (view.eye_distance > 0.0)
+        return {{"eye", places(view.centre + view.toward * view.eye_distance)}, {"target", places(view.centre)}};
     for (const char* name : kViews)
-        if (const DrawingView known = *named_view(name); known.toward == view.toward) return name;
-    return "front";
+        if (const DrawingView known = *named_view(name); known.toward == view.toward && known.up == view.up)
+            return name;
+    return {{"right", places(view.right)}, {"up", places(view.up)}};
 }
 
 SketchStroke stroke_from(const Json& step) {
@@ -156,6 +168,121 @@ PartSet parts_from(const Json& list) {
     return parts;
 }
 
+BodyMeasures body_from(const Json& holder) {
+    const Json& json = holder.contains("body") ? holder["body"] : throw Fault("\"body\" is missing");
+    if (!json.is_object()) throw Fault("\"body\" is no object");
+    Result<BodyMeasures> measures = measures_of_size(text(json, "size"));
+    if (!measures) throw Fault(measures.error().message);
+    if (json.contains("measures")) {
+        if (!json["measures"].is_object()) throw Fault("\"measures\" is no object");
+        for (const auto& [name, cm] : json["measures"].items())
+            if (const auto set = set_measure(*measures, name, number(cm, "a measure")); !set)
+                throw Fault(set.error().message);
+    }
+    return *measures;
+}
+
+/// Every measure that differs from the size it is nearest to by figure.
+Json body_to(const BodyMeasures& measures) {
+    const std::string size = measures.figure == Figure::Man ? "m" : "38";
+    const BodyMeasures known = *measures_of_size(size);
+    Json json{{"size", size}};
+    for (std::size_t k = 0; k < kMeasureCount; ++k)
+        if (measures.cm[k] != known.cm[k]) json["measures"][std::string(measure_names()[k])] = measures.cm[k];
+    return json;
+}
+
+bool along_line(Kind kind) {
+    return kind == Kind::Erase || kind == Kind::Join || kind == Kind::Smooth || kind == Kind::Bump;
+}
+bool of_layer(const DesignStep& step) {
+    return step.kind == Kind::Work || step.kind == Kind::Show || (step.kind == Kind::Rename && step.region.empty());
+}
+
+int layer_number(const Json& json, const char* what) {
+    const double value = number(json, what);
+    if (value != std::floor(value) || value < 0.0 || value > 10000.0)
+        throw Fault(std::string(what) + " is no number of a layer");
+    return static_cast<int>(value);
+}
+
+PlacedObject object_from(const Json& json) {
+    PlacedObject object{text(json, "name"), text(json, "model"), place_at(json, "at"), number(json, "scale", 1.0), {}};
+    if (json.contains("turn")) object.turn = place(json["turn"], "turn");
+    return object;
+}
+
+/// The steps that came with version 3.
+void since_version_3(const Json& json, DesignStep& step) {
+    if (has_ends(step.kind) && json.contains("starts_to")) step.starts_to = place_at(json, "starts_to");
+    if (has_ends(step.kind) && json.contains("ends_to")) step.ends_to = place_at(json, "ends_to");
+    if (step.kind == Kind::Region && json.contains("replaces")) step.region = text(json, "replaces");
+    if (along_line(step.kind)) step.lines = {text(json, "line")};
+    if (step.kind == Kind::Join) step.at = place_at(json, "at");
+    if (step.kind == Kind::Smooth || step.kind == Kind::Bump) {
+        step.at = place_at(json, "at");
+        step.to = place_at(json, "to");
+    }
+    if (step.kind == Kind::Bump) {
+        step.radius = number(json, "wave", 0.0);
+        step.depth = number(json, "depth", 0.0);
+    }
+    if (step.kind == Kind::Rename && json.contains("region")) step.region = text(json, "region");
+    if (step.kind == Kind::Rename || step.kind == Kind::Unplace) step.name = text(json, "name");
+    if (of_layer(step)) step.layer = layer_number(json.contains("layer") ? json["layer"] : Json(), "\"layer\"");
+    if (step.kind == Kind::Mirror || step.kind == Kind::Show) step.on = flag(json, "on", true);
+    if (step.kind == Kind::Material) {
+        step.region = text(json, "region");
+        if (json.contains("colour")) step.material.colour = text(json, "colour");
+        if (json.contains("fabric")) step.material.fabric = text(json, "fabric");
+    }
+    if (step.kind == Kind::Order) {
+        if (!json.contains("layers") || !json["layers"].is_array()) throw Fault("\"layers\" is missing or no list");
+        for (const Json& layer : json["layers"]) step.order.push_back(layer_number(layer, "\"layers\""));
+    }
+    if (step.kind == Kind::Body && json.contains("file"))
+        step.name = text(json, "file");
+    else if (step.kind == Kind::Body)
+        step.body = body_from(json);
+    if (step.kind == Kind::Place) step.object = object_from(json);
+}
+
+void since_version_3(const DesignStep& step, Json& json) {
+    const auto places = [](Vec3 p) { return Json{p.x, p.y, p.z}; };
+    if (has_ends(step.kind) && step.starts_to) json["starts_to"] = places(*step.starts_to);
+    if (has_ends(step.kind) && step.ends_to) json["ends_to"] = places(*step.ends_to);
+    if (step.kind == Kind::Region && !step.region.empty()) json["replaces"] = step.region;
+    if (along_line(step.kind)) json["line"] = step.lines.empty() ? std::string() : step.lines.front();
+    if (step.kind == Kind::Join) json["at"] = places(step.at);
+    if (step.kind == Kind::Smooth || step.kind == Kind::Bump) {
+        json["at"] = places(step.at);
+        json["to"] = places(step.to);
+    }
+    if (step.kind == Kind::Bump) {
+        json["wave"] = step.radius;
+        json["depth"] = step.depth;
+    }
+    if ((step.kind == Kind::Rename && !step.region.empty()) || step.kind == Kind::Material)
+        json["region"] = step.region;
+    if (step.kind == Kind::Rename || step.kind == Kind::Unplace) json["name"] = step.name;
+    if (of_layer(step)) json["layer"] = step.layer;
+    if (step.kind == Kind::Mirror || step.kind == Kind::Show) json["on"] = step.on;
+    if (step.kind == Kind::Material && !step.material.colour.empty()) json["colour"] = step.material.colour;
+    if (step.kind == Kind::Material && !step.material.fabric.empty()) json["fabric"] = step.material.fabric;
+    if (step.kind == Kind::Order) json["layers"] = step.order;
+    if (step.kind == Kind::Body && step.body)
+        json["body"] = body_to(*step.body);
+    else if (step.kind == Kind::Body)
+        json["file"] = step.name;
+    if (step.kind == Kind::Place) {
+        json["name"] = step.object.name;
+        json["model"] = step.object.model;
+        json["at"] = places(step.object.at);
+        json["scale"] = step.object.scale;
+        json["turn"] = places(step.object.turn);
+    }
+}
+
 DesignStep step_from(const Json& json) {
     if (!json.is_object()) throw Fault("it is no object");
     DesignStep step;
@@ -182,6 +309,8 @@ DesignStep step_from(const Json& json) {
     if (has_ends(step.kind) && json.contains("starts_at")) step.starts_at = text(json, "starts_at");
     if (has_ends(step.kind) && json.contains("ends_at")) step.ends_at = text(json, "ends_at");
     if (step.kind == Kind::Corner) step.on = flag(json, "on", true);
+    step.with_last = flag(json, "with_last", false);
+    since_version_3(json, step);
     return step;
 }
 
@@ -200,31 +329,9 @@ Json step_to(const DesignStep& step) {
     if (step.kind == Kind::Move || step.kind == Kind::Weld) json["to"] = {step.to.x, step.to.y, step.to.z};
     if (step.kind == Kind::Move) json["radius"] = step.radius;
     if (step.kind == Kind::Corner) json["on"] = step.on;
+    since_version_3(step, json);
+    if (step.with_last) json["with_last"] = true;
     if (has_stroke(step.kind)) json["stroke"] = stroke_to(step.stroke);
-    return json;
-}
-
-BodyMeasures body_from(const Json& document) {
-    const Json& json = document.contains("body") ? document["body"] : throw Fault("\"body\" is missing");
-    if (!json.is_object()) throw Fault("\"body\" is no object");
-    Result<BodyMeasures> measures = measures_of_size(text(json, "size"));
-    if (!measures) throw Fault(measures.error().message);
-    if (json.contains("measures")) {
-        if (!json["measures"].is_object()) throw Fault("\"measures\" is no object");
-        for (const auto& [name, cm] : json["measures"].items())
-            if (const auto set = set_measure(*measures, name, number(cm, "a measure")); !set)
-                throw Fault(set.error().message);
-    }
-    return *measures;
-}
-
-/// Every measure that differs from the size it is nearest to by figure.
-Json body_to(const BodyMeasures& measures) {
-    const std::string size = measures.figure == Figure::Man ? "m" : "38";
-    const BodyMeasures known = *measures_of_size(size);
-    Json json{{"size", size}};
-    for (std::size_t k = 0; k < kMeasureCount; ++k)
-        if (measures.cm[k] != known.cm[k]) json["measures"][std::string(measure_names()[k])] = measures.cm[k];
     return json;
 }
 
@@ -236,6 +343,9 @@ Design design_from(const Json& document) {
     design.network.edge_cm = number(document, "edge_cm", design.network.edge_cm);
     if (design.network.edge_cm < 0.3 || design.network.edge_cm > 20.0)
         throw Fault("\"edge_cm\" is not between 0.3 and 20");
+    design.network.snap_cm = number(document, "snap_cm", design.network.snap_cm);
+    if (design.network.snap_cm < 0.1 || design.network.snap_cm > 10.0)
+        throw Fault("\"snap_cm\" is not between 0.1 and 10");
     design.fitting.clearance_cm = number(document, "clearance_cm", design.fitting.clearance_cm);
     if (design.fitting.clearance_cm < 0.0 || design.fitting.clearance_cm > 5.0)
         throw Fault("\"clearance_cm\" is not between 0 and 5");
@@ -277,6 +387,21 @@ Result<Design> parse_design(std::string_view text_of_file) {
     }
 }
 
+Result<DesignStep> parse_step(std::string_view text_of_step) {
+    const Json json = text_of_step.size() > kMaxTextBytes ? Json(Json::value_t::discarded)
+                                                          : Json::parse(text_of_step, nullptr, false);
+    if (json.is_discarded()) return unexpected(ErrorCode::BadFormat, "The step cannot be read: it is no JSON.");
+    try {
+        return step_from(json);
+    } catch (const Fault& fault) {
+        return unexpected(ErrorCode::BadFormat, std::string("The step cannot be read: ") + fault.what() + ".");
+    }
+}
+
+std::string step_text(const DesignStep& step) {
+    return step_to(step).dump();
+}
+
 Result<Design> read_design(const std::string& path) {
     const Result<std::string> bytes = read_file_bytes(path);
     if (!bytes) return unexpected(bytes.error());
@@ -292,6 +417,7 @@ std::string design_text(const Design& design) {
                         {"body", body_to(design.body)},
                         {"mirror", design.mirror},
                         {"edge_cm", design.network.edge_cm},
+                        {"snap_cm", design.network.snap_cm},
                         {"clearance_cm", design.fitting.clearance_cm},
                         {"fairing", design.fitting.fairing == Fairing::Particles ? "particles" : "optimised"}};
     std::string text = document.dump(1, ' ');

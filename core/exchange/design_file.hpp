@@ -9,8 +9,9 @@
 
 namespace core {
 
-/// 2 added landmarks at the ends of lines and the parts of the body that regions lie over.
-inline constexpr int kDesignVersion = 2;
+/// 2 added landmarks at the ends of lines and the parts of the body that regions lie over; 3 pieces of lines, layers
+/// in any order, materials, other bodies, placed objects, and which steps are one act.
+inline constexpr int kDesignVersion = 3;
 
 /// Reads a design of this version or an older one. ErrorCode::BadFormat with the step at fault (from 1) for text that
 /// is no JSON or ends early, a missing or wrong field, an unknown step, view, tool or size; ErrorCode::NewerVersion for
@@ -20,5 +21,9 @@ inline constexpr int kDesignVersion = 2;
 
 /// The same design gives the same bytes, and is read back as it was.
 [[nodiscard]] std::string design_text(const Design& design);
+
+/// One step as design_text writes it, on one line, and back; for journals. ErrorCode::BadFormat as above.
+[[nodiscard]] Result<DesignStep> parse_step(std::string_view text);
+[[nodiscard]] std::string step_text(const DesignStep& step);
 
 }  // namespace core

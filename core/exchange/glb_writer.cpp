@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <ostream>
 #include <tuple>
 #include <utility>
@@ -73,32 +74,30 @@ std::vector<Vec3> normals_of(const GlbMesh& part, const Corners& corners) {
     return out;
 }
 
+/// Vertices and corners of a mesh of triangles, as Corners has them; normals by area.
+std::vector<Vec3> normals_of(const TriangleMesh& mesh) {
+    std::vector<Vec3> sum(mesh.vertices.size());
+    for (const auto& t : mesh.triangles) {
+        const Vec3 n = cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]);
+        for (const std::uint32_t corner : t) sum[corner] = sum[corner] + n;
+    }
+    return sum;
+}
+
 /// Grows the binary part and the lists that describe it.
 class Document {
   public:
     void add(const GlbMesh& part) {
+        if (part.triangles != nullptr) return add_triangles(part);
         const Corners corners = corners_of(part);
         const std::vector<Vec3> normals = normals_of(part, corners);
         std::string indices;
         for (std::size_t i = 0; i < part.count; ++i)
             for (const std::size_t k : {0, 1, 2, 0, 2, 3}) put_u32(indices, corners.number[4 * i + k]);
-        const std::size_t material = json_["materials"].size();
-        json_["materials"].push_back(
-            {{"name", part.name},
-             {"pbrMetallicRoughness",
-              {{"baseColorFactor", {linear(part.colour.r), linear(part.colour.g), linear(part.colour.b), 1.0}},
-               {"metallicFactor", 0.0},
-               {"roughnessFactor", 0.9}}},
-             {"doubleSided", part.two_sided}});
-        Json attributes{{"POSITION", add_places(part, corners.vertex)}, {"NORMAL", add_normals(normals)}};
+        Json attributes{{"POSITION", add_places(part.mesh->vertices, corners.vertex)},
+                        {"NORMAL", add_normals(normals)}};
         if (part.texture != nullptr) attributes["TEXCOORD_0"] = add_texture(corners.texture);
-        const Json primitive{
-            {"attributes", std::move(attributes)},
-            {"indices", add_accessor(indices, kUnsignedInt, "SCALAR", indices.size() / 4, kElementBuffer)},
-            {"material", material}};
-        json_["meshes"].push_back({{"name", part.name}, {"primitives", Json::array({primitive})}});
-        json_["nodes"].push_back({{"name", part.name}, {"mesh", material}});
-        json_["scenes"][0]["nodes"].push_back(material);
+        add_node(part, std::move(attributes), indices);
     }
 
     std::string finish() {
@@ -117,6 +116,36 @@ class Document {
     }
 
   private:
+    void add_triangles(const GlbMesh& part) {
+        std::vector<std::uint32_t> all(part.triangles->vertices.size());
+        std::iota(all.begin(), all.end(), 0U);
+        std::string indices;
+        for (const auto& t : part.triangles->triangles)
+            for (const std::uint32_t corner : t) put_u32(indices, corner);
+        add_node(part,
+                 {{"POSITION", add_places(part.triangles->vertices, all)},
+                  {"NORMAL", add_normals(normals_of(*part.triangles))}},
+                 indices);
+    }
+
+    void add_node(const GlbMesh& part, Json attributes, const std::string& indices) {
+        const std::size_t material = json_["materials"].size();
+        json_["materials"].push_back(
+            {{"name", part.name},
+             {"pbrMetallicRoughness",
+              {{"baseColorFactor", {linear(part.colour.r), linear(part.colour.g), linear(part.colour.b), 1.0}},
+               {"metallicFactor", 0.0},
+               {"roughnessFactor", 0.9}}},
+             {"doubleSided", part.two_sided}});
+        const Json primitive{
+            {"attributes", std::move(attributes)},
+            {"indices", add_accessor(indices, kUnsignedInt, "SCALAR", indices.size() / 4, kElementBuffer)},
+            {"material", material}};
+        json_["meshes"].push_back({{"name", part.name}, {"primitives", Json::array({primitive})}});
+        json_["nodes"].push_back({{"name", part.name}, {"mesh", material}});
+        json_["scenes"][0]["nodes"].push_back(material);
+    }
+
     std::size_t add_accessor(const std::string& data, int component, const char* type, std::size_t count, int target) {
         const std::size_t view = json_["bufferViews"].size();
         json_["bufferViews"].push_back(
@@ -127,11 +156,11 @@ class Document {
         return json_["accessors"].size() - 1;
     }
 
-    std::size_t add_places(const GlbMesh& part, const std::vector<std::uint32_t>& used) {
+    std::size_t add_places(const std::vector<Vec3>& places, const std::vector<std::uint32_t>& used) {
         std::string data;
         std::array<float, 3> low{}, high{};
         for (std::size_t i = 0; i < used.size(); ++i) {
-            const Vec3 p = part.mesh->vertices[used[i]] * 0.01;
+            const Vec3 p = places[used[i]] * 0.01;
             const std::array<float, 3> place{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
             for (std::size_t k = 0; k < 3; ++k) {
                 low[k] = i == 0 ? place[k] : std::min(low[k], place[k]);
@@ -179,6 +208,13 @@ class Document {
 Result<void> write_glb(std::ostream& out, std::span<const GlbMesh> meshes) {
     Document document;
     for (const GlbMesh& part : meshes) {
+        if (part.triangles != nullptr) {
+            for (const auto& t : part.triangles->triangles)
+                if (*std::max_element(t.begin(), t.end()) >= part.triangles->vertices.size())
+                    return unexpected(ErrorCode::BadMesh, "A triangle of the mesh names a vertex that does not exist.");
+            if (!part.triangles->triangles.empty()) document.add(part);
+            continue;
+        }
         if (part.first + part.count > part.mesh->quads.size())
             return unexpected(ErrorCode::BadMesh, "The mesh \"" + part.name + "\" has fewer quads than it should.");
         if (part.texture != nullptr && part.texture->size() != part.mesh->quads.size())

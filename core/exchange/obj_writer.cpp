@@ -64,10 +64,32 @@ std::string group_line(const std::string& name) {
     return line;
 }
 
+/// `first`: the number of its first vertex.
+void put_triangles(std::string& faces, const TriangleGroup& group, std::uint64_t first) {
+    if (!group.name.empty()) faces += group_line(group.name);
+    for (const auto& triangle : group.mesh->triangles) {
+        faces += 'f';
+        for (const std::uint32_t corner : triangle) {
+            faces += ' ';
+            put(faces, first + corner);
+        }
+        faces += '\n';
+    }
+}
+
+Result<void> check_triangles(std::span<const TriangleGroup> groups) {
+    for (const TriangleGroup& group : groups)
+        for (const auto& t : group.mesh->triangles)
+            if (*std::max_element(t.begin(), t.end()) >= group.mesh->vertices.size())
+                return unexpected(ErrorCode::BadMesh, "A triangle of the mesh names a vertex that does not exist.");
+    return {};
+}
+
 }  // namespace
 
 Result<void> write_obj(std::ostream& out, const QuadMesh& mesh, std::span<const QuadGroup> groups,
-                       std::span<const QuadTexture> texture) {
+                       std::span<const QuadTexture> texture, std::span<const TriangleGroup> others) {
+    if (Result<void> sound = check_triangles(others); !sound) return sound;
     for (const Quad& quad : mesh.quads)
         if (*std::max_element(quad.begin(), quad.end()) >= mesh.vertices.size())
             return unexpected(ErrorCode::BadMesh, "A quad of the mesh names a vertex that does not exist.");
@@ -75,6 +97,9 @@ Result<void> write_obj(std::ostream& out, const QuadMesh& mesh, std::span<const 
         return unexpected(ErrorCode::BadMesh, "Some quads of the mesh have texture coordinates, others none.");
     std::string text = "# made by Croquis\n", faces;
     for (const Vec3& v : mesh.vertices) put_line(text, "v", {v.x, v.y, v.z});
+    std::uint64_t first = mesh.vertices.size() + 1;
+    for (const TriangleGroup& group : others)
+        for (const Vec3& v : group.mesh->vertices) put_line(text, "v", {v.x, v.y, v.z});
     const std::vector<QuadGroup> all{{"", 0, mesh.quads.size()}};
     TexturePlaces places;
     for (const QuadGroup& group : groups.empty() ? std::span<const QuadGroup>(all) : groups) {
@@ -85,6 +110,10 @@ Result<void> write_obj(std::ostream& out, const QuadMesh& mesh, std::span<const 
                 numbers[k] = places.number(mesh.quads[i][k], texture[i][k], text);
             put_quad(faces, mesh.quads[i], numbers);
         }
+    }
+    for (const TriangleGroup& group : others) {
+        put_triangles(faces, group, first);
+        first += group.mesh->vertices.size();
     }
     text += faces;
     if (!out.write(text.data(), static_cast<std::streamsize>(text.size())).flush())

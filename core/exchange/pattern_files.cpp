@@ -10,8 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kFabric_cm = 140.0;  // width that pieces are laid out on
-
 /// Micrometres are enough, and the same on every machine.
 double mm(double cm) {
     return std::round(cm * 1e4) / 1e3;
@@ -91,7 +89,7 @@ std::string pattern_json(const Pattern& pattern) {
 Result<std::vector<std::string>> write_pattern_folder(const std::filesystem::path& folder, const Pattern& pattern) {
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
-    const PatternSheet sheet = lay_out_sheet(pattern, kFabric_cm);
+    const PatternSheet sheet = lay_out_sheet(pattern, kFabricWidth_cm);
     std::vector<std::pair<std::string, std::string>> files{{"pattern.svg", sheet_svg(sheet)},
                                                            {"pattern.dxf", pattern_dxf(pattern, sheet)},
                                                            {"seams.json", pattern_json(pattern)},

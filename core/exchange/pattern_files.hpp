@@ -16,6 +16,9 @@ namespace core {
 /// The sheet as SVG, one unit a millimetre.
 [[nodiscard]] std::string sheet_svg(const PatternSheet& sheet);
 
+/// Width of fabric that pieces are laid out on.
+inline constexpr double kFabricWidth_cm = 140.0;
+
 struct PaperSize {
     const char* name;
     double width_mm, height_mm;

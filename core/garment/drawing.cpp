@@ -35,34 +35,6 @@ Result<Vec3> on_plane(const DrawingView::Ray& ray, Vec3 normal, double offset, s
     return ray.origin + ray.direction * ((offset - dot(ray.origin, normal)) / along);
 }
 
-/// `anchor`: the last point before the temporary plane, with its place in the drawing.
-struct Anchor {
-    Vec3 place;
-    Point drawn;
-};
-
-Result<Vec3> lift(const StrokePart& part, Point at, const std::optional<Anchor>& anchor, const Obstacle& body,
-                  std::size_t number) {
-    if (!std::isfinite(at.x) || !std::isfinite(at.y)) return bad(number_of(number) + "is no finite number.");
-    const double offset = part.tool.offset;
-    switch (part.tool.kind) {
-        case DrawingTool::Kind::Body:
-            return on_body(part.view.ray(at), offset, body, number);
-        case DrawingTool::Kind::PlaneXY:
-            return on_plane(part.view.ray(at), {0, 0, 1}, offset, number);
-        case DrawingTool::Kind::PlaneXZ:
-            return on_plane(part.view.ray(at), {0, 1, 0}, offset, number);
-        case DrawingTool::Kind::PlaneYZ:
-            return on_plane(part.view.ray(at), {1, 0, 0}, offset, number);
-        case DrawingTool::Kind::Temporary:
-            break;
-    }
-    if (!anchor)
-        return bad("The stroke begins in the temporary plane, which passes through the last point drawn before.");
-    const Point moved = at - anchor->drawn;
-    return anchor->place + part.view.right * moved.x - part.view.toward * moved.y;
-}
-
 }  // namespace
 
 DrawingView::Ray DrawingView::ray(Point at) const {
@@ -70,6 +42,14 @@ DrawingView::Ray DrawingView::ray(Point at) const {
     if (eye_distance <= 0.0) return {place + toward * kFarAway, toward * -1.0};
     const Vec3 eye = centre + toward * eye_distance;
     return {eye, normalised(place - eye)};
+}
+
+Point DrawingView::project(Vec3 place) const {
+    const Vec3 from = place - centre;
+    const Point flat{dot(from, right), dot(from, up)};
+    if (eye_distance <= 0.0) return flat;
+    const double before = eye_distance - depth(place);
+    return before > 0.0 ? flat * (eye_distance / before) : Point{NAN, NAN};
 }
 
 Result<DrawingView> named_view(std::string_view name) {
@@ -94,25 +74,102 @@ Result<DrawingView> perspective_view(Vec3 eye, Vec3 target) {
     return view;
 }
 
-Result<std::vector<Vec3>> lift_stroke(const SketchStroke& stroke, const Obstacle& body) {
-    std::vector<Vec3> line;
-    std::optional<Anchor> anchor;
-    std::size_t number = 0;
-    for (const StrokePart& part : stroke) {
-        if (part.tool.kind == DrawingTool::Kind::Temporary && anchor && !part.points.empty())
-            anchor->drawn =
-                part.points.front();  // the view may have changed: the drawing goes on from where the pen is
-        for (const Point& at : part.points) {
-            const Result<Vec3> place = lift(part, at, anchor, body, number++);
-            if (!place) return unexpected(place.error());
-            if (line.empty() || length(*place - line.back()) > 0.01) line.push_back(*place);
-            if (part.tool.kind != DrawingTool::Kind::Temporary) anchor = Anchor{line.back(), at};
-        }
-        if (part.tool.kind == DrawingTool::Kind::Temporary && !line.empty() && !part.points.empty())
-            anchor = Anchor{line.back(), part.points.back()};
+std::optional<Vec3> first_on_mesh(const QuadMesh& mesh, const DrawingView::Ray& ray) {
+    double nearest = kReach;
+    const auto meet = [&](Vec3 a, Vec3 b, Vec3 c) {  // Moeller and Trumbore 1997, both sides
+        const Vec3 ab = b - a, ac = c - a, across = cross(ray.direction, ac);
+        const double det = dot(ab, across);
+        if (std::abs(det) < 1e-12) return;
+        const Vec3 from = ray.origin - a, turned = cross(from, ab);
+        const double u = dot(from, across) / det, v = dot(ray.direction, turned) / det;
+        if (u < -1e-9 || v < -1e-9 || u + v > 1.0 + 1e-9) return;
+        const double at = dot(ac, turned) / det;
+        if (at > 0.0 && at < nearest) nearest = at;
+    };
+    for (const Quad& q : mesh.quads) {
+        const auto& v = mesh.vertices;
+        meet(v[q[0]], v[q[1]], v[q[2]]);
+        if (q[3] != q[2]) meet(v[q[0]], v[q[2]], v[q[3]]);
     }
-    if (line.size() < 2) return bad("The stroke has fewer than two different points: draw it longer.");
-    return line;
+    if (nearest >= kReach) return std::nullopt;
+    return ray.origin + ray.direction * nearest;
+}
+
+StrokePart mirrored_part(StrokePart part) {
+    const auto image = [](Vec3 v) { return Vec3{-v.x, v.y, v.z}; };
+    part.view.centre = image(part.view.centre);
+    part.view.toward = image(part.view.toward);
+    part.view.up = image(part.view.up);
+    part.view.right = image(part.view.right) * -1.0;  // so that right, up and toward turn as before
+    for (Point& p : part.points) p.x = -p.x;
+    if (part.tool.kind == DrawingTool::Kind::PlaneYZ) part.tool.offset = -part.tool.offset;
+    return part;
+}
+
+void StrokeLifter::begin_part(const DrawingView& view, DrawingTool tool) {
+    view_ = view;
+    tool_ = tool;
+    part_is_new_ = true;
+    if (tool.kind != DrawingTool::Kind::Temporary && anchor_ && !line_.empty()) anchor_->place = line_.back();
+}
+
+std::optional<Vec3> StrokeLifter::anchor() const {
+    return anchor_ ? std::optional<Vec3>(anchor_->place) : std::nullopt;
+}
+
+Result<std::optional<Vec3>> StrokeLifter::lift(Point at) const {
+    if (!std::isfinite(at.x) || !std::isfinite(at.y)) return bad(number_of(number_) + "is no finite number.");
+    const DrawingView::Ray ray = view_.ray(at);
+    const auto place = [](Result<Vec3> p) -> Result<std::optional<Vec3>> {
+        if (!p) return unexpected(p.error());
+        return std::optional<Vec3>(*p);
+    };
+    switch (tool_.kind) {
+        case DrawingTool::Kind::Body:
+            return place(on_body(ray, tool_.offset, body_, number_));
+        case DrawingTool::Kind::PlaneXY:
+            return place(on_plane(ray, {0, 0, 1}, tool_.offset, number_));
+        case DrawingTool::Kind::PlaneXZ:
+            return place(on_plane(ray, {0, 1, 0}, tool_.offset, number_));
+        case DrawingTool::Kind::PlaneYZ:
+            return place(on_plane(ray, {1, 0, 0}, tool_.offset, number_));
+        case DrawingTool::Kind::Piece:
+            if (piece_ == nullptr) return bad("A stroke on a piece can only cut it.");
+            return first_on_mesh(*piece_, ray);
+        case DrawingTool::Kind::Temporary:
+            break;
+    }
+    if (!anchor_)
+        return bad("The stroke begins in the temporary plane, which passes through the last point drawn before.");
+    const Point moved = at - anchor_->drawn;
+    return std::optional<Vec3>(anchor_->place + view_.right * moved.x - view_.toward * moved.y);
+}
+
+Result<void> StrokeLifter::add(Point at) {
+    const bool temporary = tool_.kind == DrawingTool::Kind::Temporary;
+    if (part_is_new_ && temporary && anchor_) {  // the view may have changed: the drawing goes on from where the pen is
+        anchor_->drawn = at;
+        if (!line_.empty()) anchor_->place = line_.back();
+    }
+    part_is_new_ = false;
+    const Result<std::optional<Vec3>> place = lift(at);
+    ++number_;
+    if (!place) return unexpected(place.error());
+    if (!*place) return {};
+    if (line_.empty() || length(**place - line_.back()) > 0.01) line_.push_back(**place);
+    if (!temporary) anchor_ = Anchor{line_.back(), at};
+    return {};
+}
+
+Result<std::vector<Vec3>> lift_stroke(const SketchStroke& stroke, const Obstacle& body, const QuadMesh* piece) {
+    StrokeLifter lifter(body, piece);
+    for (const StrokePart& part : stroke) {
+        lifter.begin_part(part.view, part.tool);
+        for (const Point& at : part.points)
+            if (const Result<void> done = lifter.add(at); !done) return unexpected(done.error());
+    }
+    if (lifter.line().size() < 2) return bad("The stroke has fewer than two different points: draw it longer.");
+    return lifter.line();
 }
 
 }  // namespace core

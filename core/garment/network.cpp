@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -17,6 +18,7 @@ constexpr double kHandSpacing_cm = 0.5;  // of a line's shape
 /// What splits a line: folds are drawn as waves, which turn as far but not as fast.
 constexpr double kPlainCorner_rad = 1.1;  // a corner however near the next one is
 constexpr double kSharpTurn_rad = 0.9, kSharpReach_cm = 1.25;
+constexpr int kSmoothingPasses = 60;
 
 Unexpected bad(std::string what) {
     return unexpected(ErrorCode::BadArgument, std::move(what));
@@ -140,15 +142,52 @@ SpaceLine Network::shape_of(LineUse use) const {
     return shape;
 }
 
+/// The living lines of the layer with this name, in order; of "hem/2" the second of "hem".
+std::vector<int> Network::pieces_of(const std::string& name) const {
+    const auto named = [&](const std::string& whole) {
+        std::vector<int> found;
+        for (std::size_t i = 0; i < lines_.size(); ++i)
+            if (lines_[i].alive && lines_[i].layer == layer_ && lines_[i].name == whole)
+                found.push_back(static_cast<int>(i));
+        return found;
+    };
+    const std::size_t slash = name.rfind('/');
+    std::vector<int> found = named(name);
+    if (!found.empty() || slash == std::string::npos || slash + 1 == name.size() || name.size() - slash > 5)
+        return found;
+    std::size_t number = 0;
+    for (std::size_t i = slash + 1; i < name.size(); ++i) {
+        if (name[i] < '0' || name[i] > '9') return {};
+        number = 10 * number + static_cast<std::size_t>(name[i] - '0');
+    }
+    found = named(name.substr(0, slash));
+    if (number < 1 || number > found.size()) return {};
+    return {found[number - 1]};
+}
+
+int Network::line_named(const std::string& piece) const {
+    const std::vector<int> found = pieces_of(piece);
+    return found.size() == 1 ? found.front() : -1;
+}
+
+std::string Network::piece_name(int line) const {
+    const NetworkLine& own = lines_[static_cast<std::size_t>(line)];
+    std::size_t number = 0, count = 0;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        if (!lines_[i].alive || lines_[i].layer != own.layer || lines_[i].name != own.name) continue;
+        ++count;
+        if (static_cast<int>(i) == line) number = count;
+    }
+    return count > 1 ? own.name + "/" + std::to_string(number) : own.name;
+}
+
 /// One ring of the lines with these names. Starts with the first name's first line, in its own direction.
 Result<std::vector<LineUse>> Network::ring_of(const std::string& region, const std::vector<std::string>& names) const {
     std::vector<int> candidates;
     for (const std::string& name : names) {
-        const std::size_t before = candidates.size();
-        for (std::size_t i = 0; i < lines_.size(); ++i)
-            if (lines_[i].alive && lines_[i].layer == layer_ && lines_[i].name == name)
-                candidates.push_back(static_cast<int>(i));
-        if (candidates.size() == before)
+        const std::vector<int> pieces = pieces_of(name);
+        candidates.insert(candidates.end(), pieces.begin(), pieces.end());
+        if (pieces.empty())
             return bad_outline("The region " + quoted(region) + " names the line " + quoted(name) +
                                ", which does not exist.");
     }
@@ -410,7 +449,16 @@ Result<void> Network::cut_hole(const std::string& name, SpaceLine loop, const st
     whole.ring = left;
     whole.corners = detected_corners(left);
     regions_.push_back(std::move(other));
+    // the hole itself is a region that was taken away: nothing fills it by itself
+    regions_.push_back({hole, {{line, false}, {line + 1, false}}, {}, kCoonsAlpha, layer_, false, 0});
     return {};
+}
+
+void Network::release_region(const std::string& name) {
+    NetworkRegion* region = region_named(name);
+    if (region == nullptr) return;
+    region->alive = false;
+    region->ring.clear();
 }
 
 Result<void> Network::remove_region(const std::string& name) {
@@ -470,16 +518,29 @@ Result<void> Network::associate(const std::string& name, PartSet parts) {
 Result<void> Network::move(Vec3 from, Vec3 to, double radius) {
     if (!is_usable(from) || !is_usable(to) || !std::isfinite(radius)) return bad("A vertex cannot be moved there.");
     const int vertex = nearest_vertex(from, options_.snap_cm);
-    if (vertex < 0) return bad("There is no vertex to move there.");
-    const Vec3 centre = vertices_[static_cast<std::size_t>(vertex)].place, shift = to - centre;
+    Vec3 centre = from;
+    if (vertex >= 0) {
+        centre = vertices_[static_cast<std::size_t>(vertex)].place;
+    } else {
+        double least = options_.snap_cm;
+        for (const NetworkLine& line : lines_) {
+            if (!line.alive || line.layer != layer_) continue;
+            if (const NearestOnLine near = nearest_on_line(line.shape, from); near.distance < least)
+                least = near.distance, centre = near.place;
+        }
+        if (least == options_.snap_cm) return bad("There is no vertex to move there.");
+    }
+    const Vec3 shift = to - centre;
     const auto moved = [&](Vec3 p) {
         const double d = length(p - centre);
         if (d >= std::max(radius, 1e-9)) return d > 0.0 ? p : p + shift;
         const double w = 1.0 - d * d / (radius * radius);
         return p + shift * (w * w);
     };
-    for (NetworkVertex& v : vertices_) v.place = moved(v.place);
+    for (NetworkVertex& v : vertices_)
+        if (v.layer == layer_) v.place = moved(v.place);
     for (NetworkLine& line : lines_) {
+        if (line.layer != layer_) continue;
         for (Vec3& p : line.shape) p = moved(p);
         // a radius shorter than the lines' spacing would tear them off
         pull_ends(line.shape, vertices_[static_cast<std::size_t>(line.from)].place,
@@ -492,6 +553,10 @@ Result<void> Network::weld(Vec3 keep, Vec3 move) {
     const double reach = options_.snap_cm;
     const int stays = nearest_vertex(keep, reach), goes = nearest_vertex(move, reach);
     if (stays < 0 || goes < 0 || stays == goes) return bad("There are no two vertices to join there.");
+    return weld_vertices(stays, goes);
+}
+
+Result<void> Network::weld_vertices(int stays, int goes) {
     for (const NetworkLine& line : lines_)
         if (line.alive && std::minmax(line.from, line.to) == std::minmax(stays, goes))
             return bad("The two ends of the line " + quoted(line.name) + " cannot be joined.");
@@ -506,6 +571,116 @@ Result<void> Network::weld(Vec3 keep, Vec3 move) {
         if (region.corners.erase(goes) != 0) region.corners.insert(stays);
     vertices_[static_cast<std::size_t>(goes)].alive = false;
     return {};
+}
+
+Result<void> Network::erase_line(const std::string& piece) {
+    const int line = line_named(piece);
+    if (line < 0) return bad("There is no line " + quoted(piece) + " to erase.");
+    for (NetworkRegion& region : regions_)
+        for (const LineUse use : region.ring) region.alive = region.alive && use.line != line;
+    lines_[static_cast<std::size_t>(line)].alive = false;
+    drop_unused_vertices();
+    return {};
+}
+
+Result<void> Network::join(Vec3 end, const std::string& piece) {
+    const int line = line_named(piece), goes = nearest_vertex(end, options_.snap_cm);
+    if (line < 0 || goes < 0) return bad("There is no line end to join to " + quoted(piece) + " there.");
+    const NetworkLine& own = lines_[static_cast<std::size_t>(line)];
+    if (own.from == goes || own.to == goes) return bad("The line " + quoted(piece) + " cannot be joined to itself.");
+    const Vec3 place = vertices_[static_cast<std::size_t>(goes)].place;
+    const NearestOnLine near = nearest_on_line(own.shape, place);
+    const double total = line_length(own.shape), margin = std::min(options_.snap_cm, 0.4 * total);
+    const int stays = near.along < margin           ? own.from
+                      : near.along > total - margin ? own.to
+                                                    : split_at(line, near.along);
+    return weld_vertices(stays, goes);
+}
+
+namespace {
+
+struct Stretch {
+    double from = 0.0, to = 0.0;  // along the line
+};
+
+/// Between the places of a line nearest to two others, in its direction.
+Stretch stretch_of(const SpaceLine& line, Vec3 at, Vec3 to) {
+    const double a = nearest_on_line(line, at).along, b = nearest_on_line(line, to).along;
+    return {std::min(a, b), std::max(a, b)};
+}
+
+}  // namespace
+
+Result<void> Network::smooth(const std::string& piece, Vec3 at, Vec3 to) {
+    const int line = line_named(piece);
+    if (line < 0) return bad("There is no line " + quoted(piece) + " to smooth.");
+    if (!is_usable(at) || !is_usable(to)) return bad("A line cannot be smoothed there.");
+    SpaceLine& shape = lines_[static_cast<std::size_t>(line)].shape;
+    const Stretch part = stretch_of(shape, at, to);
+    if (part.to - part.from < options_.edge_cm)
+        return bad("The stretch of " + quoted(piece) + " is too short to smooth: draw along it.");
+    const double total = line_length(shape);
+    SpaceLine out = resampled(shape, std::max(8, static_cast<int>(std::lround(total / kHandSpacing_cm))));
+    const double step = total / static_cast<double>(out.size() - 1);
+    for (int pass = 0; pass < kSmoothingPasses; ++pass) {
+        SpaceLine next = out;
+        for (std::size_t i = 1; i + 1 < out.size(); ++i) {
+            const double along = step * static_cast<double>(i);
+            if (along < part.from || along > part.to) continue;
+            next[i] = (out[i - 1] + out[i + 1]) * 0.25 + out[i] * 0.5;
+        }
+        out = std::move(next);
+    }
+    shape = std::move(out);
+    return {};
+}
+
+Result<void> Network::bump(const std::string& piece, Vec3 at, Vec3 to, double wave, double depth,
+                           const std::function<Vec3(Vec3)>& outward) {
+    const int line = line_named(piece);
+    if (line < 0) return bad("There is no line " + quoted(piece) + " to lay folds into.");
+    if (!is_usable(at) || !is_usable(to) || !(wave >= kHandSpacing_cm) || !(wave <= 1000.0) || !(depth > 0.0) ||
+        !(depth <= 100.0))
+        return bad("Folds need a length of 0.5 cm at least and a depth above 0.");
+    SpaceLine& shape = lines_[static_cast<std::size_t>(line)].shape;
+    const Stretch part = stretch_of(shape, at, to);
+    const double stretch = part.to - part.from, total = line_length(shape);
+    if (stretch < 0.75 * wave)
+        return bad("The stretch of " + quoted(piece) + " is too short for a fold: draw farther along it.");
+    const double waves = std::max(1.0, std::round(stretch / wave));
+    SpaceLine out = resampled(shape, std::max(8, static_cast<int>(std::lround(total / kHandSpacing_cm))));
+    const SpaceLine before = out;
+    const double step = total / static_cast<double>(out.size() - 1);
+    for (std::size_t i = 1; i + 1 < out.size(); ++i) {
+        const double t = (step * static_cast<double>(i) - part.from) / stretch;
+        if (t <= 0.0 || t >= 1.0) continue;
+        const Vec3 along = normalised(before[i + 1] - before[i - 1]), way = outward(before[i]);
+        const double fade = std::min({1.0, 2.0 * t * waves, 2.0 * (1.0 - t) * waves});
+        const double height = depth * fade * std::sin(2.0 * std::numbers::pi * waves * t);
+        out[i] = before[i] + normalised(way - along * dot(way, along)) * height;
+        if (before[i].x == 0.0) out[i].x = 0.0;
+    }
+    shape = std::move(out);
+    return {};
+}
+
+Result<void> Network::rename_region(const std::string& name, const std::string& new_name) {
+    NetworkRegion* region = region_named(name);
+    if (region == nullptr) return bad("There is no region " + quoted(name) + ".");
+    if (new_name.empty() || (new_name != name && find_region(new_name) != nullptr))
+        return bad("A region needs a name that no other has; " + quoted(new_name) + " is none.");
+    region->name = new_name;
+    return {};
+}
+
+void Network::carry(const std::function<Vec3(Vec3)>& map) {
+    const auto carried = [&](Vec3 p) {
+        const Vec3 q = map(p);
+        return p.x == 0.0 ? Vec3{0.0, q.y, q.z} : q;
+    };
+    for (NetworkVertex& v : vertices_) v.place = carried(v.place);
+    for (NetworkLine& line : lines_)
+        for (Vec3& p : line.shape) p = carried(p);
 }
 
 Result<RegionBoundary> Network::boundary(const NetworkRegion& region) const {

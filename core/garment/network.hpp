@@ -11,6 +11,7 @@
 // that every region has an even boundary and can be filled. Lines run along both regions they part: seams have equal
 // edges on both sides. A network is a value; keep a copy to undo (see NetworkHistory).
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -85,7 +86,8 @@ class Network {
     /// that is not finite, a line shorter than half an edge, and an empty name.
     [[nodiscard]] Result<void> add_line(const std::string& name, SpaceLine points, bool to_middle = true);
 
-    /// The region that the lines with these names enclose; pieces of them that lead nowhere are left out. Its outer
+    /// The region that the lines with these names enclose; pieces of them that lead nowhere are left out. A name stands
+    /// for all its pieces, "hem/2" for the second of them. Its outer
     /// side is the one away from the body, or without one the side from which the lines, as named, run anti-clockwise.
     /// ErrorCode::BadOutline naming the region and the line at fault where they are not closed or no simple ring.
     [[nodiscard]] Result<void> add_region(const std::string& name, const std::vector<std::string>& lines,
@@ -99,6 +101,9 @@ class Network {
     /// half becomes `new_name`.
     [[nodiscard]] Result<void> cut_hole(const std::string& region, SpaceLine loop, const std::string& new_name);
 
+    /// A region is none any more; its lines stay, and its outline may become another's. Nothing for an unknown name.
+    void release_region(const std::string& name);
+
     /// Removes a region, and the lines that no other region has.
     [[nodiscard]] Result<void> remove_region(const std::string& name);
 
@@ -111,12 +116,38 @@ class Network {
     /// Says which parts of the body a region lies over. Halves of a cut region keep them.
     [[nodiscard]] Result<void> associate(const std::string& region, PartSet parts);
 
-    /// Moves the vertex nearest to `from` to `to`, and all lines within `radius` of it with it, less the farther they
-    /// are.
+    /// Moves the vertex nearest to `from`, or without one the nearest place of a line, to `to`, and all lines of its
+    /// layer within `radius` of it with it, less the farther they are.
     [[nodiscard]] Result<void> move(Vec3 from, Vec3 to, double radius);
 
     /// Joins the vertices nearest to two places, which must not be the ends of one line; the second comes to the first.
     [[nodiscard]] Result<void> weld(Vec3 keep, Vec3 move);
+
+    /// Takes a piece of a line away, "hem" or "hem/2", and the regions that it bounds; their other lines stay.
+    [[nodiscard]] Result<void> erase_line(const std::string& piece);
+
+    /// Brings the vertex nearest to `end` to a piece of a line, at its nearest place, which is split there.
+    [[nodiscard]] Result<void> join(Vec3 end, const std::string& piece);
+
+    /// Takes the waves shorter than about 10 cm out of a piece of a line between the places nearest to `at` and `to`.
+    [[nodiscard]] Result<void> smooth(const std::string& piece, Vec3 at, Vec3 to);
+
+    /// Lays waves into a piece of a line between the places nearest to `at` and `to`: `wave` long, as nearly as a whole
+    /// number of them fits, reaching `depth` to either side along `outward` of each place, fading in and out over the
+    /// first and last one. Its ends stay.
+    [[nodiscard]] Result<void> bump(const std::string& piece, Vec3 at, Vec3 to, double wave, double depth,
+                                    const std::function<Vec3(Vec3)>& outward);
+
+    [[nodiscard]] Result<void> rename_region(const std::string& region, const std::string& name);
+
+    /// Every place to where `map` takes it; what lies on the plane x = 0 stays there.
+    void carry(const std::function<Vec3(Vec3)>& map);
+
+    /// The living line of the layer with this name, "hem" or "hem/2" as above; -1 for none, and for a name of several
+    /// pieces without a number.
+    [[nodiscard]] int line_named(const std::string& piece) const;
+    /// The name that finds this line: with its number where the name has several pieces on its layer.
+    [[nodiscard]] std::string piece_name(int line) const;
 
     [[nodiscard]] Result<RegionBoundary> boundary(const NetworkRegion& region) const;
 
@@ -139,6 +170,7 @@ class Network {
     [[nodiscard]] int nearest_vertex(Vec3 place, double reach) const;
     [[nodiscard]] int split_at(int line, double along);
     void link(const std::string& name, int from, int to, SpaceLine shape);
+    [[nodiscard]] std::vector<int> pieces_of(const std::string& name) const;
     [[nodiscard]] Result<std::vector<LineUse>> ring_of(const std::string& region,
                                                        const std::vector<std::string>& names) const;
     [[nodiscard]] std::set<int> detected_corners(const std::vector<LineUse>& ring) const;
@@ -150,6 +182,7 @@ class Network {
     [[nodiscard]] NetworkRegion* region_named(const std::string& name);
     [[nodiscard]] Result<void> part_ring(int region, const std::vector<int>& lines, int from, int to,
                                          const std::string& new_name);
+    [[nodiscard]] Result<void> weld_vertices(int stays, int goes);
     void drop_unused_vertices();
 
     NetworkOptions options_;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/result.hpp"
+#include "db/sqlite/database.hpp"
 
 struct sqlite3;
 
@@ -13,8 +14,9 @@ namespace db {
 struct Connection {
     sqlite3* handle = nullptr;
     std::string where;  ///< the path as the caller spelt it, for messages
+    DatabaseWords words;
 
-    Connection(sqlite3* opened, std::string path);
+    Connection(sqlite3* opened, std::string path, const DatabaseWords& called);
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
     ~Connection();
@@ -26,6 +28,7 @@ struct Connection {
 };
 
 /// The Error for an extended SQLite result code; `detail` are SQLite's own words.
-[[nodiscard]] core::Error describe_failure(int extended_code, const std::string& detail, const std::string& where);
+[[nodiscard]] core::Error describe_failure(int extended_code, const std::string& detail, const std::string& where,
+                                           const DatabaseWords& words);
 
 }  // namespace db

@@ -13,11 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-core::Result<std::shared_ptr<const Connection>> connect(const std::string& name, int flags, const std::string& where) {
+core::Result<std::shared_ptr<const Connection>> connect(const std::string& name, int flags, const std::string& where,
+                                                        const DatabaseWords& words) {
     sqlite3* handle = nullptr;
     const int code = sqlite3_open_v2(name.c_str(), &handle, flags | SQLITE_OPEN_EXRESCODE, nullptr);
-    auto connection = std::make_shared<const Connection>(handle, where);  // also closes a handle that failed to open
-    if (code != SQLITE_OK) return core::unexpected(describe_failure(code, sqlite3_errstr(code), where));
+    auto connection =
+        std::make_shared<const Connection>(handle, where, words);  // also closes a handle that failed to open
+    if (code != SQLITE_OK) return core::unexpected(describe_failure(code, sqlite3_errstr(code), where, words));
     return connection;
 }
 
@@ -49,16 +51,17 @@ core::Result<void> confirm_identity(const Database& database, OpenMode mode, con
     if (!pages) return core::unexpected(pages.error());
     if (*pages == 0) {
         if (mode == OpenMode::Create) return {};
-        return core::unexpected(core::ErrorCode::NotAnIndex,
-                                "the file is empty; make the index with `croquis index build`", database.where());
+        return core::unexpected(core::ErrorCode::NotAnIndex, std::string("the file is empty; ") + options.words.make,
+                                database.where());
     }
     const core::Result<std::int64_t> id = database.integer("PRAGMA application_id");
     if (!id) return core::unexpected(id.error());
-    if (static_cast<std::uint32_t>(*id) != options.application_id) return core::unexpected(not_ours(database.where()));
+    if (static_cast<std::uint32_t>(*id) != options.application_id)
+        return core::unexpected(not_ours(database.where(), options.words));
     const core::Result<std::int64_t> version = database.integer("PRAGMA user_version");
     if (!version) return core::unexpected(version.error());
     if (*version < 0 || *version > options.newest_version) {
-        return core::unexpected(newer_version(*version, options.newest_version, database.where()));
+        return core::unexpected(newer_version(*version, options, database.where()));
     }
     return {};
 }
@@ -71,7 +74,7 @@ core::Result<Database> Database::open(const fs::path& path, OpenMode mode, const
     const core::Result<FileState> state = examine_file(path, mode, options);
     if (!state) return core::unexpected(state.error());
     const auto open_as = [&](const std::string& name, int flags) -> core::Result<Database> {
-        core::Result<std::shared_ptr<const Connection>> connection = connect(name, flags, path.string());
+        core::Result<std::shared_ptr<const Connection>> connection = connect(name, flags, path.string(), options.words);
         if (!connection) return core::unexpected(connection.error());
         Database database(*connection);
         core::Result<void> ready = set_up(database, (*connection)->handle, options);

@@ -20,11 +20,20 @@ enum class OpenMode {
     Create,     ///< as ReadWrite; a missing or empty file becomes a new database
 };
 
+/// How sentences about a file call it, and what they advise.
+struct DatabaseWords {
+    const char* thing = "index";  ///< "it is no Croquis …"
+    const char* make = "make the index with `croquis index build`";
+    const char* mend = "build the index again or restore a copy";
+    const char* renew = "build a new index";
+};
+
 struct DatabaseOptions {
     std::uint32_t application_id = 0;  ///< a file with another one is refused
     int newest_version = 0;            ///< a file with a larger user_version is refused
     int busy_timeout_ms = 5000;        ///< how long to wait for another program's lock
     std::int64_t max_pages = 0;        ///< largest size in pages; 0: as much as the disk holds
+    DatabaseWords words = {};
 };
 
 class Database {

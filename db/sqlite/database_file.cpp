@@ -60,16 +60,15 @@ core::Result<FileState> examine_header(const fs::path& path, const DatabaseOptio
         return core::unexpected(ErrorCode::FileUnreadable, "it cannot be read; check the disk", path.string());
     const bool sqlite =
         got >= static_cast<std::streamsize>(sizeof kMagic) && std::memcmp(header.data(), kMagic, sizeof kMagic) == 0;
-    if (!sqlite) return core::unexpected(not_ours(path.string()));
+    if (!sqlite) return core::unexpected(not_ours(path.string(), options.words));
     if (got < static_cast<std::streamsize>(kHeaderSize)) {
-        return core::unexpected(ErrorCode::Damaged, "it is cut off; build the index again or restore a copy",
-                                path.string());
+        return core::unexpected(ErrorCode::Damaged, std::string("it is cut off; ") + options.words.mend, path.string());
     }
     if (big_endian(header, kApplicationIdAt) != options.application_id)
-        return core::unexpected(not_ours(path.string()));
+        return core::unexpected(not_ours(path.string(), options.words));
     const std::uint32_t version = big_endian(header, kUserVersionAt);
     if (version > static_cast<std::uint32_t>(options.newest_version)) {
-        return core::unexpected(newer_version(version, options.newest_version, path.string()));
+        return core::unexpected(newer_version(version, options, path.string()));
     }
     return FileState::Ours;
 }
@@ -83,7 +82,9 @@ bool holds_bytes(const fs::path& path) {
 }  // namespace
 
 core::Result<FileState> examine_file(const fs::path& path, OpenMode mode, const DatabaseOptions& options) {
-    if (path.empty()) return core::unexpected(ErrorCode::BadArgument, "the index has no file name; name a file");
+    if (path.empty())
+        return core::unexpected(ErrorCode::BadArgument,
+                                "the " + std::string(options.words.thing) + " has no file name; name a file");
     std::error_code failed;
     const fs::file_status status = fs::status(path, failed);
     if (status.type() == fs::file_type::not_found) {
@@ -91,8 +92,8 @@ core::Result<FileState> examine_file(const fs::path& path, OpenMode mode, const 
             return core::unexpected(folder.error());
         }
         if (mode == OpenMode::Create) return FileState::Absent;
-        return core::unexpected(ErrorCode::FileMissing,
-                                "there is no such file; make the index with `croquis index build`", path.string());
+        return core::unexpected(ErrorCode::FileMissing, std::string("there is no such file; ") + options.words.make,
+                                path.string());
     }
     if (fs::is_directory(status)) {
         return core::unexpected(ErrorCode::FileUnreadable, "it is a folder; name a file in it", path.string());
@@ -103,7 +104,7 @@ core::Result<FileState> examine_file(const fs::path& path, OpenMode mode, const 
     core::Result<FileState> state = examine_header(path, options);
     if (!state) return state;
     if (*state == FileState::Absent && mode != OpenMode::Create) {
-        return core::unexpected(ErrorCode::NotAnIndex, "the file is empty; make the index with `croquis index build`",
+        return core::unexpected(ErrorCode::NotAnIndex, std::string("the file is empty; ") + options.words.make,
                                 path.string());
     }
     if (mode != OpenMode::ReadOnly && !may(path, W_OK)) {
@@ -132,14 +133,16 @@ std::string immutable_uri(const fs::path& path) {
     return uri + "?immutable=1";
 }
 
-core::Error not_ours(const std::string& where) {
-    return {ErrorCode::NotAnIndex, "it is no Croquis index and was left as it is; name another file", where};
+core::Error not_ours(const std::string& where, const DatabaseWords& words) {
+    return {ErrorCode::NotAnIndex,
+            "it is no Croquis " + std::string(words.thing) + " and was left as it is; name another file", where};
 }
 
-core::Error newer_version(std::int64_t version, int newest, const std::string& where) {
+core::Error newer_version(std::int64_t version, const DatabaseOptions& options, const std::string& where) {
     return {ErrorCode::NewerVersion,
             "a newer Croquis made it (version " + std::to_string(version) + ", this program knows " +
-                std::to_string(newest) + ") and it was left as it is; use that Croquis, or build a new index",
+                std::to_string(options.newest_version) + ") and it was left as it is; use that Croquis, or " +
+                options.words.renew,
             where};
 }
 

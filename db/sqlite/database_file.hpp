@@ -23,7 +23,7 @@ enum class FileState {
 /// A `file:` URI by which SQLite reads the file without locks and without files beside it.
 [[nodiscard]] std::string immutable_uri(const std::filesystem::path& path);
 
-[[nodiscard]] core::Error not_ours(const std::string& where);
-[[nodiscard]] core::Error newer_version(std::int64_t version, int newest, const std::string& where);
+[[nodiscard]] core::Error not_ours(const std::string& where, const DatabaseWords& words);
+[[nodiscard]] core::Error newer_version(std::int64_t version, const DatabaseOptions& options, const std::string& where);
 
 }  // namespace db

@@ -44,7 +44,7 @@ core::Result<bool> Statement::step() {
     if (bind_failure_ != SQLITE_OK) {
         const int code = bind_failure_;
         reset();
-        return core::unexpected(describe_failure(code, sqlite3_errstr(code), connection_->where));
+        return core::unexpected(describe_failure(code, sqlite3_errstr(code), connection_->where, connection_->words));
     }
     const int code = sqlite3_step(statement_.get());
     if (code == SQLITE_ROW) return true;

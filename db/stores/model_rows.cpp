@@ -1,7 +1,6 @@
 #include "db/stores/model_rows.hpp"
 
 #include <cmath>
-#include <cstring>
 #include <tuple>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "db/codec/contour_codec.hpp"
 #include "db/codec/descriptor_codec.hpp"
 #include "db/codec/mesh_codec.hpp"
+#include "db/codec/png_signature.hpp"
 #include "db/codec/points_codec.hpp"
 
 namespace db {
@@ -26,11 +26,6 @@ struct EncodedModel {
     std::array<EncodedView, 2> views;
     Blob mesh;
 };
-
-bool is_png(BlobView bytes) {
-    constexpr std::array<unsigned char, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    return bytes.size() > kSignature.size() && std::memcmp(bytes.data(), kSignature.data(), kSignature.size()) == 0;
-}
 
 core::Result<EncodedView> encode_view(const ModelView& view) {
     if (!std::isfinite(view.skeletal_length) || !std::isfinite(view.asymmetry) || view.camera_number < 0) {

@@ -21,6 +21,7 @@
 #include "core/garment/wardrobe.hpp"
 #include "core/mannequin/mannequin.hpp"
 #include "firmware_like_app/collection/stopwatch.hpp"
+#include "firmware_like_app/commands/command_designs.hpp"
 #include "firmware_like_app/commands/command_pattern.hpp"
 #include "firmware_like_app/commands/commands.hpp"
 #include "firmware_like_app/commands/garment_form.hpp"
@@ -282,6 +283,7 @@ void add_garment_commands(CLI::App& cli, CommandState& state) {
     add_build_command(*garment, state);
     add_wardrobe_command(*garment, state);
     add_pattern_command(*garment, state);
+    add_designs_command(*garment, state);
 }
 
 }  // namespace app

@@ -27,10 +27,16 @@ struct Config {
         std::string hand = "right";
         std::string languages_folder;
         bool attract = true;
+        bool garment = true;
     } visitors;
     struct {
         double ask_s = 60, ask_garment_s = 180, countdown_s = 20, empty_s = 30, still_pen_s = 600;
     } idle;
+    struct {
+        std::string designs;    ///< file of designs; empty: none are kept
+        std::string export_to;  ///< folder; empty: USB sticks
+        std::int64_t bin_days = 30;
+    } garment;
     struct {
         bool expected = false;
         std::string turn = "none";

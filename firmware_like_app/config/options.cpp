@@ -63,6 +63,8 @@ std::vector<Option> make_options() {
     o.push_back(Option{"visitors", "attract",
                        "Drawings that draw themselves while nobody is there; false: an empty sheet waits.",
                        Switch([](Config& c) -> bool& { return c.visitors.attract; })});
+    o.push_back(Option{"visitors", "garment", "Whether visitors can draw garments on a figure.",
+                       Switch([](Config& c) -> bool& { return c.visitors.garment; })});
 
     o.push_back(Option{
         "idle", "ask_s", "Without input, before \"Still there?\" is asked.", Number([](Config& c) -> double& {
@@ -85,6 +87,17 @@ std::vector<Option> make_options() {
         Number([](Config& c) -> double& {
             return c.idle.still_pen_s;
         })}.within(10, 7200));
+
+    o.push_back(Option{"garment", "designs",
+                       "The file in which garments are kept while they are drawn. Empty: they go with the visitor.",
+                       Text([](Config& c) -> std::string& { return c.garment.designs; })});
+    o.push_back(Option{"garment", "export_to", "The folder that garments are exported to. Empty: the USB stick.",
+                       Text([](Config& c) -> std::string& { return c.garment.export_to; })});
+    o.push_back(Option{
+        "garment", "bin_days", "How many days a deleted design can still be taken out of the bin.",
+        Whole([](Config& c) -> std::int64_t& {
+            return c.garment.bin_days;
+        })}.within(0, 3650));
 
     o.push_back(Option{"tablet", "expected",
                        "Say on the screen when no tablet is there. One that was there once is always expected.",

@@ -104,6 +104,7 @@ core::PenSample FindMode::sample_of(const ui::WindowEvent& event) const {
 
 void FindMode::pointer(const ui::WindowEvent& event) {
     using Kind = ui::WindowEvent::Kind;
+    if (event.button && !event.pen) return;  // the mouse's other button turns what can be turned; ink cannot
     const bool on_sheet = layout_.sheet.contains(event.x, event.y);
     pointer_px_ = core::Point{event.x, event.y};
     eraser_near_ = event.pen && event.eraser && event.kind != Kind::Leave;
@@ -219,6 +220,7 @@ void FindMode::wipe(std::size_t language, ui::Hand hand) {
     drawing_start_us_.reset();
     cleared_ = false;
     opened_card_.reset();
+    garment_wanted_ = false;
     tool_ = ui::Tool::Pen;
     fine_pen_ = false;
     sketch_.forget();
@@ -259,6 +261,9 @@ void FindMode::act(const ui::Intent& intent, std::int64_t now_us) {
             break;
         case ui::Control::Language:
             options_.language = intent.item;
+            break;
+        case ui::Control::Mode:
+            garment_wanted_ = intent.item == 1;
             break;
         case ui::Control::HandSwitch:
             relayout(layout_.screen, options_.hand == ui::Hand::Right ? ui::Hand::Left : ui::Hand::Right);
@@ -482,6 +487,7 @@ ui::FindState FindMode::state(std::int64_t now_us) const {
     ui::FindState s;
     const ui::Strings& words = languages_[options_.language];
     s.language = options_.language;
+    s.modes = garment_offered_;
     s.tool = eraser_near_ || pen_ == Pen::Erasing ? ui::Tool::Eraser : tool_;
     s.fine_pen = fine_pen_;
     s.can_undo = sketch_.can_undo();

@@ -80,6 +80,10 @@ class FindMode final : public Mode {
     void set_language(std::size_t language) override { options_.language = language; }
     [[nodiscard]] ui::Hand hand() const override { return options_.hand; }
     void set_hand(ui::Hand hand) override;
+    /// Whether the switch to Garment is on the board.
+    void offer_garment(bool offered) { garment_offered_ = offered; }
+    /// The visitor pressed Garment.
+    [[nodiscard]] bool take_garment_wish() { return std::exchange(garment_wanted_, false); }
     void set_board_key(std::string key) { options_.board_key = std::move(key); }
     /// A card that was tapped.
     struct OpenedCard {
@@ -143,6 +147,7 @@ class FindMode final : public Mode {
     ui::Sketch sketch_;
     ui::InkFrame frame_;  // units of the drawing to pixels of the sheet
     ui::Tool tool_ = ui::Tool::Pen;
+    bool garment_offered_ = false, garment_wanted_ = false;
     bool fine_pen_ = false;
     ui::BoardTouch touch_;
     enum class Pen { Up, Drawing, Erasing } pen_ = Pen::Up;

@@ -91,7 +91,7 @@ class Loop {
     /// All that pointed since the last frame.
     void point() {
         const std::vector<ui::WindowEvent> events =
-            pens_.merge(surface_.poll(), surface_.size(), find_.layout().sheet, surface_.now_us());
+            pens_.merge(surface_.poll(), surface_.size(), shell_.sheet(), surface_.now_us());
         for (const ui::WindowEvent& event : events) handle(event);
         shell_.set_tablet(!pens_.tablets().empty(), surface_.now_us());
         if (pens_.pen_near()) shell_.pen_near(false, surface_.now_us());
@@ -389,7 +389,18 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost&
     core::Result<std::unique_ptr<FindMode>> find =
         FindMode::create(*fonts, *languages, &collection.searcher(), find_options, (*surface)->size());
     if (!find) return core::unexpected(find.error());
+    GarmentOptions garment_options;
+    garment_options.language = find_options.language;
+    garment_options.hand = options.hand;
+    garment_options.every_frame_seen = !options.headless;
+    garment_options.record = options.record;
+    core::Result<std::unique_ptr<GarmentMode>> garment =
+        GarmentMode::create(*fonts, *languages, garment_options, (*surface)->size());
+    if (!garment) return core::unexpected(garment.error());
+    if (options.config.visitors.garment && !options.headless) (*garment)->prepare();
     ShellOptions shell_options;
+    shell_options.garment = garment->get();
+    shell_options.garment_offered = options.config.visitors.garment;
     shell_options.times = options.times;
     shell_options.collection = collection.status().state;
     shell_options.language = find_options.language;

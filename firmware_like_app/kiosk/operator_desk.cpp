@@ -30,12 +30,14 @@ struct IdleTime {
     const char* key;
     double least, most;
 };
-constexpr std::array<IdleTime, ui::kIdleTimeCount> kIdleTimes{
-    {{"idle.ask_s", 10, 3600}, {"idle.countdown_s", 5, 120}, {"idle.empty_s", 5, 3600}}};
+constexpr std::array<IdleTime, ui::kIdleTimeCount> kIdleTimes{{{"idle.ask_s", 10, 3600},
+                                                               {"idle.countdown_s", 5, 120},
+                                                               {"idle.empty_s", 5, 3600},
+                                                               {"idle.ask_garment_s", 10, 3600}}};
 
 double& idle_of(Config& config, std::size_t which) {
     const std::array<double*, ui::kIdleTimeCount> all{&config.idle.ask_s, &config.idle.countdown_s,
-                                                      &config.idle.empty_s};
+                                                      &config.idle.empty_s, &config.idle.ask_garment_s};
     return *all[which];
 }
 
@@ -204,6 +206,9 @@ void OperatorDesk::act(std::size_t item) {
         case StationAction::Hand:
             change("visitors.hand", index == 0 ? "left" : "right");
             break;
+        case StationAction::Garment:
+            change("visitors.garment", index == 0 ? "false" : "true");
+            break;
         case StationAction::SelfTest:
             run_self_test();
             break;
@@ -364,6 +369,7 @@ ui::StationState OperatorDesk::state(std::size_t language, std::int64_t now_us) 
         if (languages_[i].code() == config.visitors.language) s.start_language = i;
     }
     s.start_left = config.visitors.hand == "left";
+    s.garment = config.visitors.garment;
     s.running_s = facts_.running_s;
     s.worst_frame_ms = facts_.worst_frame_ms;
     if (s.tablet_there) s.pen_live = !facts_.pen_asleep;

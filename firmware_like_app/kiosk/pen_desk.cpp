@@ -145,6 +145,7 @@ ui::WindowEvent PenDesk::event_of(Event::Kind kind, const input::PenSample& samp
     event.time_us = window_us(sample.time_ns);
     event.pen = true;
     event.eraser = sample.eraser();
+    event.button = (sample.buttons & input::kBarrel1) != 0;
     return event;
 }
 

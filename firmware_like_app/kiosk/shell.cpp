@@ -62,6 +62,7 @@ Shell::Shell(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages
       pin_lock_(options.pin),
       desk_(fonts, languages, station_setup(options, [this](const Config& config) { take_settings(config); })) {
     detail_.allow_drafts(options.every_frame_seen);
+    find_.offer_garment(garment_offered());
     go_on(now_us);
     entered(now_us);
 }
@@ -70,8 +71,9 @@ void Shell::resize(ui::SizePx screen, std::int64_t now_us) {
     if (screen.width < 1 || screen.height < 1 || screen == screen_) return;
     screen_ = screen;
     find_.resize(screen);
+    if (options_.garment != nullptr) options_.garment->resize(screen);
     touch_.cancel();
-    if (detail_.is_open()) detail_.resize(screen, find_.hand(), painter_);
+    if (detail_.is_open()) detail_.resize(screen, mode().hand(), painter_);
     if (scene_ == Scene::Attract) entered(now_us);
 }
 
@@ -80,6 +82,9 @@ void Shell::go_on(std::int64_t now_us) {
     if (station_.wipes() != wipes_) {
         wipes_ = station_.wipes();
         find_.wipe(options_.language, options_.hand);
+        if (options_.garment != nullptr) options_.garment->wipe(options_.language, options_.hand);
+        in_garment_ = false;
+        station_.set_garment(false);
     }
     if (!options_.attract && station_.scene() == Scene::Attract) station_.wake(now_us);
     note_board();
@@ -96,7 +101,7 @@ void Shell::entered(std::int64_t now_us) {
     } else {
         attract_->stop(painter_);
     }
-    if (scene_ != Scene::Work) find_.cancel_pointer(now_us);
+    if (scene_ != Scene::Work) mode().cancel_pointer(now_us);
     if (station_.behind() != Scene::Detail) detail_.close(painter_);
     detail_.cancel_pointer();
     pin_lock_.clear();
@@ -109,6 +114,8 @@ void Shell::take_settings(const Config& config) {
     options_.times = times_of(config);
     station_.set_times(options_.times);
     options_.hand = hand_of(config);
+    options_.garment_offered = config.visitors.garment;
+    find_.offer_garment(garment_offered());
     for (std::size_t i = 0; i < languages_.size(); ++i) {
         if (languages_[i].code() == config.visitors.language) options_.language = i;
     }
@@ -144,7 +151,7 @@ void Shell::open_detail(const FindMode::OpenedCard& card, std::int64_t now_us) {
     const auto model = std::find_if(best.begin(), best.end(), [&](const FoundModel& m) { return m.id == card.model; });
     if (model == best.end()) return;  // a newer answer has come meanwhile, and its cards are about to
     detail_.open(answer, static_cast<std::size_t>(model - best.begin()), find_.sketch().drawing(), card.picture,
-                 screen_, find_.hand(), now_us, painter_);
+                 screen_, mode().hand(), now_us, painter_);
     station_.open_detail(now_us);
 }
 
@@ -174,6 +181,35 @@ ui::Notice Shell::notice() const {
 
 bool Shell::mode_has_input() const {
     return station_.scene() == Scene::Work;
+}
+
+/// Find has one size for its drawing.
+bool Shell::mode_zooms() const {
+    return mode_has_input() && in_garment_;
+}
+
+Mode& Shell::mode() const {
+    if (in_garment_) return *options_.garment;
+    return find_;
+}
+
+/// Each mode keeps its work; language and hand go along.
+void Shell::open_garment(bool garment, std::int64_t now_us) {
+    if (garment == in_garment_ || (garment && !garment_offered())) return;
+    const std::size_t language = mode().language();
+    const ui::Hand hand = mode().hand();
+    mode().cancel_pointer(now_us);
+    in_garment_ = garment;
+    mode().set_language(language);
+    mode().set_hand(hand);
+    if (garment) options_.garment->prepare();
+    station_.set_garment(garment);
+    shown_.reset();
+}
+
+void Shell::follow_mode_wishes(std::int64_t now_us) {
+    if (find_.take_garment_wish()) open_garment(true, now_us);
+    if (options_.garment != nullptr && options_.garment->take_find_wish()) open_garment(false, now_us);
 }
 
 /// The board's outer corner, where nothing else can be touched for long.
@@ -207,15 +243,16 @@ void Shell::pointer(const ui::WindowEvent& event) {
         return;
     }
     const Scene scene = station_.scene();
-    if (event.kind == Kind::Zoom && scene != Scene::Detail && scene != Scene::Operator) return;
+    if (event.kind == Kind::Zoom && scene != Scene::Detail && scene != Scene::Operator && !mode_zooms()) return;
     if (scene == Scene::Cleaning) return;
     if (mode_has_input()) {
-        find_.pointer(event);
+        mode().pointer(event);
         if (const auto card = find_.take_opened_card()) open_detail(*card, event.time_us);
+        follow_mode_wishes(event.time_us);
     } else if (station_.scene() == Scene::Detail) {
         if (const auto control = detail_.pointer(event, painter_)) act({*control, 0}, event.time_us);
     } else if (scene == Scene::Operator) {
-        desk_.pointer(event, desk_.state(find_.language(), event.time_us), screen_);
+        desk_.pointer(event, desk_.state(mode().language(), event.time_us), screen_);
         take_wishes(event.time_us);
     } else if (event.kind == Kind::Down) {
         press(event);
@@ -240,7 +277,7 @@ void Shell::press(const ui::WindowEvent& event) {
         // the stroke that answers is a stroke
         station_.keep_drawing(event.time_us);
         go_on(event.time_us);
-        if (mode_has_input()) find_.pointer(event);
+        if (mode_has_input()) mode().pointer(event);
         if (station_.scene() == Scene::Detail) (void)detail_.pointer(event, painter_);
     }
 }
@@ -253,13 +290,14 @@ void Shell::release(const ui::WindowEvent& event) {
 void Shell::act(const ui::Intent& intent, std::int64_t now_us) {
     switch (intent.control) {
         case ui::Control::Language:
-            find_.set_language(intent.item);
+            mode().set_language(intent.item);
             break;
         case ui::Control::HandSwitch:
-            find_.set_hand(find_.hand() == ui::Hand::Right ? ui::Hand::Left : ui::Hand::Right);
+            mode().set_hand(mode().hand() == ui::Hand::Right ? ui::Hand::Left : ui::Hand::Right);
             break;
         case ui::Control::StartDrawing:
             station_.leave_notice(now_us);
+            if (notice() == ui::Notice::NoModels) open_garment(true, now_us);
             break;
         case ui::Control::KeepDrawing:
             station_.keep_drawing(now_us);
@@ -290,7 +328,7 @@ void Shell::cancel_pointer(std::int64_t now_us) {
 /// What is pressed does nothing any more.
 void Shell::cancel_touches(std::int64_t now_us) {
     touch_.cancel();
-    find_.cancel_pointer(now_us);
+    mode().cancel_pointer(now_us);
     detail_.cancel_pointer();
     desk_.cancel_pointer();
 }
@@ -324,7 +362,7 @@ void Shell::expect_tablet(std::int64_t now_us) {
 
 void Shell::update(std::int64_t now_us) {
     if (tip_down_) station_.touched(now_us);
-    station_.set_has_work(find_.has_work());
+    station_.set_has_work(find_.has_work() || (options_.garment != nullptr && options_.garment->has_work()));
     if (corner_since_us_ && now_us - *corner_since_us_ >= kCornerHold_us) {
         corner_since_us_.reset();
         swallow_ = tip_down_;
@@ -339,18 +377,19 @@ void Shell::update(std::int64_t now_us) {
     station_.tick(now_us);
     go_on(now_us);
     find_.update(now_us);
+    if (options_.garment != nullptr) options_.garment->update(now_us);
     if (scene_ == Scene::Detail) detail_.update(now_us);
     if (scene_ == Scene::Attract) attract_->update(now_us, !options_.every_frame_seen, painter_);
 }
 
 int Shell::update_ink() {
     if (scene_ == Scene::Detail) detail_.draw_model(painter_);
-    return scene_ == Scene::Attract ? attract_->update_ink() : find_.update_ink();
+    return scene_ == Scene::Attract ? attract_->update_ink() : mode().update_ink();
 }
 
 ui::AttractState Shell::attract_state(std::int64_t now_us) const {
     ui::AttractState state;
-    state.language = find_.language();
+    state.language = mode().language();
     if (touch_.pressed() == ui::Control::Language) state.pressed_language = touch_.pressed_item();
     attract_->fill(state, now_us);
     return state;
@@ -359,7 +398,8 @@ ui::AttractState Shell::attract_state(std::int64_t now_us) const {
 ui::NoticeState Shell::notice_state() const {
     ui::NoticeState state;
     state.notice = notice();
-    state.language = find_.language();
+    state.garment = garment_offered();
+    state.language = mode().language();
     state.pressed = touch_.pressed();
     state.pressed_item = touch_.pressed_item();
     state.done = progress_.done;
@@ -370,7 +410,7 @@ ui::NoticeState Shell::notice_state() const {
 
 ui::PinState Shell::pin_state(std::int64_t now_us) const {
     ui::PinState state;
-    state.language = find_.language();
+    state.language = mode().language();
     state.length = pin_lock_.length();
     state.entered = pin_lock_.entered();
     state.wrong = pin_lock_.was_wrong();
@@ -382,7 +422,7 @@ ui::PinState Shell::pin_state(std::int64_t now_us) const {
 
 ui::StillThereState Shell::still_there_state(std::int64_t now_us) const {
     ui::StillThereState state;
-    state.language = find_.language();
+    state.language = mode().language();
     state.pressed = touch_.pressed();
     const std::int64_t left_us = station_.left_us(now_us);
     state.seconds = static_cast<int>((left_us + 999'999) / 1'000'000);
@@ -410,19 +450,19 @@ std::vector<ui::BoardTouch::Target> Shell::targets(std::int64_t now_us) const {
 }
 
 Shell::Shown Shell::shown_at(std::int64_t now_us) const {
-    Shown shown{scene_, screen_, find_.hand(), std::monostate{}};
+    Shown shown{scene_, screen_, mode().hand(), std::monostate{}};
     if (scene_ == Scene::Attract) shown.state = attract_state(now_us);
     if (scene_ == Scene::Notice) shown.state = notice_state();
-    if (scene_ == Scene::Detail) shown.state = detail_.state(find_.language(), now_us);
+    if (scene_ == Scene::Detail) shown.state = detail_.state(mode().language(), now_us);
     if (scene_ == Scene::Pin) shown.state = pin_state(now_us);
-    if (scene_ == Scene::Operator) shown.state = desk_.state(find_.language(), now_us);
+    if (scene_ == Scene::Operator) shown.state = desk_.state(mode().language(), now_us);
     if (scene_ == Scene::StillThere || scene_ == Scene::Cleaning) shown.state = still_there_state(now_us);
     return shown;
 }
 
 bool Shell::changed(std::int64_t now_us) const {
     if (!shown_ || !(shown_at(now_us) == *shown_)) return true;
-    return mode_has_input() && find_.changed(now_us);
+    return mode_has_input() && mode().changed(now_us);
 }
 
 void Shell::draw(std::int64_t now_us, bool flip) {
@@ -437,9 +477,9 @@ void Shell::draw(std::int64_t now_us, bool flip) {
             break;
         case Scene::StillThere:
             if (station_.behind() == Scene::Detail) {
-                painter_.paint(detail_.draw(detail_.state(find_.language(), now_us)), screen_, flip);
+                painter_.paint(detail_.draw(detail_.state(mode().language(), now_us)), screen_, flip);
             } else {
-                find_.draw(now_us, flip);
+                mode().draw(now_us, flip);
             }
             painter_.paint(still_screen_.draw(std::get<ui::StillThereState>(shown_->state), screen_), screen_, flip);
             break;
@@ -458,7 +498,7 @@ void Shell::draw(std::int64_t now_us, bool flip) {
             painter_.paint(detail_.draw(std::get<ui::DetailState>(shown_->state)), screen_, flip);
             break;
         default:
-            find_.draw(now_us, flip);
+            mode().draw(now_us, flip);
             break;
     }
 }

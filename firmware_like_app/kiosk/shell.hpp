@@ -11,6 +11,7 @@
 #include "firmware_like_app/kiosk/attract_player.hpp"
 #include "firmware_like_app/kiosk/detail_view.hpp"
 #include "firmware_like_app/kiosk/find_mode.hpp"
+#include "firmware_like_app/kiosk/garment_mode.hpp"
 #include "firmware_like_app/kiosk/operator_desk.hpp"
 #include "firmware_like_app/kiosk/pin_lock.hpp"
 #include "firmware_like_app/kiosk/station.hpp"
@@ -29,6 +30,8 @@ struct ShellOptions {
     bool attract = true;               ///< false: home is the empty sheet
     std::string pin = "000000";        ///< of the station page
     OperatorDesk::Setup station = {};  ///< what the station page shows and changes
+    GarmentMode* garment = nullptr;    ///< the other mode; null: there is none. It must outlive the shell.
+    bool garment_offered = true;       ///< to visitors, by the operator
     bool every_frame_seen = true;      ///< false: pictures are made on request, and searches are waited for
 };
 
@@ -66,10 +69,18 @@ class Shell {
     [[nodiscard]] bool restart_wanted() const { return restart_wanted_; }
     void set_facts(StationFacts facts) { desk_.set_facts(std::move(facts)); }
     [[nodiscard]] ui::StationPage station_page(std::int64_t now_us) const {
-        return desk_.build(desk_.state(find_.language(), now_us), screen_);
+        return desk_.build(desk_.state(mode().language(), now_us), screen_);
     }
     /// To the sheet at once, as replays need it.
     void open_sheet(std::int64_t now_us);
+
+    /// To Garment at once, or back.
+    void open_garment(bool garment, std::int64_t now_us);
+    [[nodiscard]] bool in_garment() const { return in_garment_; }
+    /// Where touches may be a palm.
+    [[nodiscard]] ui::Rect sheet() const {
+        return in_garment_ ? options_.garment->layout().sheet : find_.layout().sheet;
+    }
 
     [[nodiscard]] const Station& station() const { return station_; }
     [[nodiscard]] DetailView& detail() { return detail_; }
@@ -79,6 +90,10 @@ class Shell {
           const ShellOptions& options, ui::SizePx screen, ui::Painter painter, std::unique_ptr<AttractPlayer> attract,
           DetailView detail, std::int64_t now_us);
 
+    /// The one in use.
+    [[nodiscard]] Mode& mode() const;
+    [[nodiscard]] bool garment_offered() const { return options_.garment != nullptr && options_.garment_offered; }
+    void follow_mode_wishes(std::int64_t now_us);
     void go_on(std::int64_t now_us);
     void entered(std::int64_t now_us);
     void note_board();
@@ -92,6 +107,7 @@ class Shell {
     void act(const ui::Intent& intent, std::int64_t now_us);
     void watch_corner(const ui::WindowEvent& event);
     [[nodiscard]] bool mode_has_input() const;
+    [[nodiscard]] bool mode_zooms() const;
     [[nodiscard]] ui::Rect corner() const;
     [[nodiscard]] ui::Notice notice() const;
     [[nodiscard]] std::vector<ui::BoardTouch::Target> targets(std::int64_t now_us) const;
@@ -129,6 +145,7 @@ class Shell {
     bool exit_wanted_ = false, restart_wanted_ = false;
 
     ui::BoardTouch touch_;
+    bool in_garment_ = false;
     bool swallow_ = false;  // until the tip lifts, nothing more of it counts
     bool tip_down_ = false;
     std::optional<std::int64_t> corner_since_us_;

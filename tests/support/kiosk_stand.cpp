@@ -28,6 +28,12 @@ KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOp
     find_options.language = options.language;
     find_options.hand = options.hand;
     find = value_of(app::FindMode::create(*fonts_, languages, &collection.searcher(), find_options, size));
+    app::GarmentOptions garment_options;
+    garment_options.language = options.language;
+    garment_options.hand = options.hand;
+    garment_options.every_frame_seen = false;
+    garment = value_of(app::GarmentMode::create(*fonts_, languages, garment_options, size));
+    options.garment = garment.get();
     shell = value_of(app::Shell::create(*fonts_, languages, *find, &collection.searcher(), options, size, now_us));
 }
 

@@ -41,6 +41,7 @@ class KioskStand {
     FigureSearcher figures;
     app::FixedCollection collection;
     std::unique_ptr<app::FindMode> find;
+    std::unique_ptr<app::GarmentMode> garment;
     std::unique_ptr<app::Shell> shell;
     std::int64_t now_us = 1'000'000;
     ui::SizePx size;

@@ -67,6 +67,146 @@ std::vector<Polyline> hand_strokes() {
                 .to(12, 12)};
 }
 
+Path ring(double x, double y, double r) {
+    constexpr double k = 0.5523;
+    return Path({x + r, y})
+        .curve({x + r, y + k * r}, {x + k * r, y + r}, {x, y + r})
+        .curve({x - k * r, y + r}, {x - r, y + k * r}, {x - r, y})
+        .curve({x - r, y - k * r}, {x - k * r, y - r}, {x, y - r})
+        .curve({x + k * r, y - r}, {x + r, y - k * r}, {x + r, y});
+}
+
+std::vector<Polyline> eye_strokes() {
+    return {Path({3, 16}).curve({7, 8.5}, {12, 7}, {16, 7}).curve({20, 7}, {25, 8.5}, {29, 16}),
+            Path({3, 16}).curve({7, 23.5}, {12, 25}, {16, 25}).curve({20, 25}, {25, 23.5}, {29, 16}),
+            ring(16, 16, 4.2)};
+}
+
+/// A torso from neck to hip.
+std::vector<Polyline> torso_strokes() {
+    return {Path({9, 3.5}).curve({9, 9}, {11.5, 11}, {11.5, 15}).curve({11.5, 19}, {7.5, 21}, {7.5, 28.5}),
+            Path({23, 3.5}).curve({23, 9}, {20.5, 11}, {20.5, 15}).curve({20.5, 19}, {24.5, 21}, {24.5, 28.5})};
+}
+
+std::vector<Polyline> with(std::vector<Polyline> strokes, std::vector<Polyline> more) {
+    strokes.insert(strokes.end(), more.begin(), more.end());
+    return strokes;
+}
+
+/// Tools that make lines and regions.
+std::vector<Polyline> make_drawing_tool(Icon icon) {
+    switch (icon) {
+        case Icon::OnPlane:
+            return {Path({8, 9.5}).to(24, 4).to(24, 22.5).to(8, 28).close(), Path({12.5, 20.5}).to(19.5, 11.5)};
+        case Icon::OnBody:
+            return with(torso_strokes(), {Path({11.5, 15}).curve({13, 17.5}, {19, 17.5}, {20.5, 15})});
+        case Icon::TemporaryPlane:
+            return {Path({3, 23}).to(10.5, 16.5).to(29, 16.5).to(21.5, 23).close(), Path({16, 19.5}).to(16, 4.5),
+                    Path({11.5, 9}).to(16, 4.5).to(20.5, 9), Path({13, 28}).to(19, 28)};
+        case Icon::Corner:
+            return {Path({5, 5}).to(12, 5).to(12, 12).to(5, 12).close(), Path({6.5, 7.3}).to(10.5, 7.3),
+                    Path({6.5, 9.6}).to(10.5, 9.6), Path({12, 8.5}).to(28, 8.5), Path({8.5, 12}).to(8.5, 28)};
+        case Icon::Cut:
+            return {ring(8.5, 25, 3.6), ring(23.5, 25, 3.6), Path({10.8, 22.2}).to(22, 4),
+                    Path({21.2, 22.2}).to(10, 4)};
+        case Icon::Add:
+            return {Path({5, 27}).to(5, 13).round({5, 5}, {13, 5}), Path({5, 27}).to(21, 27).to(21, 22),
+                    Path({23.5, 6}).to(23.5, 16), Path({18.5, 11}).to(28.5, 11)};
+        case Icon::Mirror:
+            return {Path({12, 6}).to(12, 26).to(3.5, 26).close(),
+                    Path({20, 6}).to(20, 26).to(28.5, 26).close(),
+                    Path({16, 4}).to(16, 8),
+                    Path({16, 12}).to(16, 16),
+                    Path({16, 20}).to(16, 24),
+                    Path({16, 27.5}).to(16, 29)};
+        case Icon::Hole:
+            return {Path({4, 6}).to(28, 6).to(28, 26).to(4, 26).close(), ring(16, 16, 5.4)};
+        case Icon::Remove:
+            return {Path({4, 9}).to(28, 9), Path({12, 9}).to(12, 4.5).to(20, 4.5).to(20, 9),
+                    Path({7, 9}).to(8.5, 28).to(23.5, 28).to(25, 9), Path({13, 14}).to(13.6, 23),
+                    Path({19, 14}).to(18.4, 23)};
+        default:
+            return {};
+    }
+}
+
+/// Tools that change what is there.
+std::vector<Polyline> make_shaping_tool(Icon icon) {
+    switch (icon) {
+        case Icon::Move:
+            return {Path({16, 3.5}).to(16, 28.5),
+                    Path({3.5, 16}).to(28.5, 16),
+                    Path({12, 7.5}).to(16, 3.5).to(20, 7.5),
+                    Path({12, 24.5}).to(16, 28.5).to(20, 24.5),
+                    Path({7.5, 12}).to(3.5, 16).to(7.5, 20),
+                    Path({24.5, 12}).to(28.5, 16).to(24.5, 20)};
+        case Icon::Smooth:
+            return {Path({3, 10}).to(7, 5.5).to(11, 11).to(15, 5).to(19, 11).to(23, 6).to(29, 10),
+                    Path({3, 23.5}).curve({10, 18}, {22, 18}, {29, 23.5})};
+        case Icon::Bump:
+            return {Path({3, 22})
+                        .curve({6, 22}, {6, 10}, {9.5, 10})
+                        .curve({13, 10}, {12.5, 22}, {16, 22})
+                        .curve({19.5, 22}, {19, 10}, {22.5, 10})
+                        .curve({26, 10}, {26, 22}, {29, 22}),
+                    Path({3, 28}).to(29, 28)};
+        case Icon::Weld:
+            return {ring(16, 16, 4), Path({3, 6}).to(13.2, 13.2), Path({3, 26}).to(13.2, 18.8),
+                    Path({29, 6}).to(18.8, 13.2), Path({29, 26}).to(18.8, 18.8)};
+        case Icon::Measure:
+            return {Path({3, 11}).to(29, 11).to(29, 21).to(3, 21).close(), Path({8, 11}).to(8, 15.5),
+                    Path({13.3, 11}).to(13.3, 17), Path({18.6, 11}).to(18.6, 15.5), Path({24, 11}).to(24, 17)};
+        case Icon::Fabric:
+            return {Path({5, 5}).to(27, 5).to(27, 27).to(5, 27).close(), Path({5, 12.3}).to(27, 12.3),
+                    Path({5, 19.6}).to(27, 19.6), Path({12.3, 5}).to(12.3, 27), Path({19.6, 5}).to(19.6, 27)};
+        case Icon::Quads:
+            return {Path({10, 4}).to(22, 4).to(28.5, 27).to(3.5, 27).close(), Path({16, 4}).to(16, 27),
+                    Path({8, 11}).to(24, 11), Path({5.8, 19}).to(26.2, 19)};
+        case Icon::Hang:
+            return {Path({16, 10})
+                        .to(16, 8.2)
+                        .curve({20, 7.6}, {20, 3.2}, {16, 3.2})
+                        .curve({13.6, 3.2}, {12.8, 4.6}, {12.8, 6}),
+                    Path({16, 10}).to(29, 18.5).to(3, 18.5).to(16, 10), Path({8, 22}).to(8, 28),
+                    Path({16, 22}).to(16, 29), Path({24, 22}).to(24, 28)};
+        default:
+            return {};
+    }
+}
+
+std::vector<Polyline> make_garment(Icon icon) {
+    switch (icon) {
+        case Icon::Designs:
+            return {Path({4, 4}).to(14, 4).to(14, 14).to(4, 14).close(),
+                    Path({18, 4}).to(28, 4).to(28, 14).to(18, 14).close(),
+                    Path({4, 18}).to(14, 18).to(14, 28).to(4, 28).close(),
+                    Path({18, 18}).to(28, 18).to(28, 28).to(18, 28).close()};
+        case Icon::Eye:
+            return eye_strokes();
+        case Icon::EyeShut:
+            return with(eye_strokes(), {Path({5, 27}).to(27, 5)});
+        case Icon::Tape:
+            return {ring(13, 15, 8.5), ring(13, 15, 3.4), Path({13, 23.5}).to(28, 23.5).to(28, 18),
+                    Path({24, 23.5}).to(24, 20.5)};
+        case Icon::Export:
+            return {Path({16, 20}).to(16, 4), Path({10.5, 9.5}).to(16, 4).to(21.5, 9.5),
+                    Path({9, 14}).to(5, 14).to(5, 28).to(27, 28).to(27, 14).to(23, 14)};
+        case Icon::Close:
+            return {Path({7, 7}).to(25, 25), Path({25, 7}).to(7, 25)};
+        case Icon::Up:
+            return {Path({7, 20.5}).to(16, 11.5).to(25, 20.5)};
+        case Icon::Down:
+            return {Path({7, 11.5}).to(16, 20.5).to(25, 11.5)};
+        case Icon::Layers:
+            return {Path({16, 4}).to(29, 11).to(16, 18).to(3, 11).close(), Path({3, 16.5}).to(16, 23.5).to(29, 16.5),
+                    Path({3, 22}).to(16, 29).to(29, 22)};
+        default:
+            break;
+    }
+    std::vector<Polyline> strokes = make_drawing_tool(icon);
+    return strokes.empty() ? make_shaping_tool(icon) : strokes;
+}
+
 std::vector<Polyline> make(Icon icon) {
     switch (icon) {
         case Icon::Pen:
@@ -127,8 +267,9 @@ std::vector<Polyline> make(Icon icon) {
             return {Path({12, 8}).to(5, 16).to(12, 24), Path({20, 8}).to(27, 16).to(20, 24)};
         case Icon::Plus:
             return {Path({8, 16}).to(24, 16), Path({16, 8}).to(16, 24)};
+        default:
+            return make_garment(icon);
     }
-    return {};
 }
 
 double distance_to_segment(Point p, Point a, Point b) {
@@ -142,7 +283,7 @@ double distance_to_segment(Point p, Point a, Point b) {
 
 const std::vector<Polyline>& icon_strokes(Icon icon) {
     static const auto all = [] {
-        std::array<std::vector<Polyline>, static_cast<std::size_t>(Icon::Turn) + 1> strokes;
+        std::array<std::vector<Polyline>, kIconCount> strokes;
         for (std::size_t i = 0; i < strokes.size(); ++i) strokes[i] = make(static_cast<Icon>(i));
         return strokes;
     }();

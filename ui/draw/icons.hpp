@@ -8,7 +8,50 @@
 
 namespace ui {
 
-enum class Icon { Pen, Eraser, Undo, Redo, New, Hand, Collection, Warning, Tablet, Back, Check, Minus, Plus, Turn };
+enum class Icon {
+    Pen,
+    Eraser,
+    Undo,
+    Redo,
+    New,
+    Hand,
+    Collection,
+    Warning,
+    Tablet,
+    Back,
+    Check,
+    Minus,
+    Plus,
+    Turn,
+    // of Garment
+    OnPlane,
+    OnBody,
+    TemporaryPlane,
+    Corner,
+    Cut,
+    Add,
+    Mirror,
+    Move,
+    Smooth,
+    Bump,
+    Weld,
+    Hole,
+    Remove,
+    Measure,
+    Fabric,
+    Quads,
+    Hang,
+    Designs,
+    Eye,
+    EyeShut,
+    Tape,
+    Export,
+    Close,
+    Up,
+    Down,
+    Layers
+};
+inline constexpr int kIconCount = static_cast<int>(Icon::Layers) + 1;
 
 /// Polylines on the 32 grid, y down; curves come as short chords.
 [[nodiscard]] const std::vector<core::Polyline>& icon_strokes(Icon icon);

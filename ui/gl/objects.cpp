@@ -2,6 +2,7 @@
 
 #include <GLES3/gl3.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -97,12 +98,26 @@ void Program::set(const char* uniform, float x, float y, float z, float w) const
     glUniform4f(location(uniform), x, y, z, w);
 }
 
-Texture::Texture(SizePx size, PixelFormat format) : size_(size), format_(format) {
+Texture::Texture(SizePx size, PixelFormat format) : Texture(size, format, 1) {}
+
+Texture Texture::repeating(SizePx size, std::span<const std::uint8_t> rows) {
+    int levels = 1;
+    while ((std::max(size.width, size.height) >> levels) > 0) ++levels;
+    Texture texture(size, PixelFormat::Colour, levels);
+    texture.upload(0, 0, size, rows);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    return texture;
+}
+
+Texture::Texture(SizePx size, PixelFormat format, int levels) : size_(size), format_(format) {
     unsigned name = 0;
     glGenTextures(1, &name);
     name_ = GlName(name);
     glBindTexture(GL_TEXTURE_2D, name);
-    glTexStorage2D(GL_TEXTURE_2D, 1, format == PixelFormat::Coverage ? GL_R8 : GL_RGBA8, size.width, size.height);
+    glTexStorage2D(GL_TEXTURE_2D, levels, format == PixelFormat::Coverage ? GL_R8 : GL_RGBA8, size.width, size.height);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -235,9 +250,9 @@ void VertexStream::draw_quads(int instances) const {
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, instances);
 }
 
-void VertexStream::draw_triangles(int vertices) const {
+void VertexStream::draw_triangles(int first, int vertices) const {
     glBindVertexArray(array_.get());
-    glDrawArrays(GL_TRIANGLES, 0, vertices);
+    glDrawArrays(GL_TRIANGLES, first, vertices);
 }
 
 void set_blend(Blend blend) {

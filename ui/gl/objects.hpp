@@ -58,6 +58,8 @@ enum class PixelFormat { Coverage, Colour };  ///< one byte (R8), or four with p
 class Texture {
   public:
     Texture(SizePx size, PixelFormat format);
+    /// A picture of four bytes a pixel that repeats without end, with smaller ones of itself for where it is far away.
+    [[nodiscard]] static Texture repeating(SizePx size, std::span<const std::uint8_t> rows);
     Texture(Texture&&) noexcept = default;
     Texture& operator=(Texture&&) noexcept = default;
     ~Texture();
@@ -69,6 +71,7 @@ class Texture {
     [[nodiscard]] unsigned name() const { return name_.get(); }
 
   private:
+    Texture(SizePx size, PixelFormat format, int levels);
     GlName name_;
     SizePx size_;
     PixelFormat format_;
@@ -115,7 +118,8 @@ class VertexStream {
     void fill(std::span<const float> floats);
     /// Four corners a quad, one quad an instance.
     void draw_quads(int instances) const;
-    void draw_triangles(int vertices) const;
+    void draw_triangles(int vertices) const { draw_triangles(0, vertices); }
+    void draw_triangles(int first, int vertices) const;
 
   private:
     GlName array_, buffer_;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace ui {
 namespace {
@@ -60,7 +61,9 @@ class SdlWindow final : public Window {
             return;
         }
         if (kind == WindowEvent::Kind::Up) held_.reset();
+        if (kind == WindowEvent::Kind::Down) together_.reset();
         events.push_back({kind, x, y, pressure, event_time_us(stamp), id != kMouse});
+        events.back().button = id == kMouse && other_button_;
     }
 
     void mouse(std::vector<WindowEvent>& events, WindowEvent::Kind kind, int x, int y, std::uint32_t stamp) {
@@ -75,6 +78,36 @@ class SdlWindow final : public Window {
         const SizePx drawable = size();
         pointer(events, kind, touch.fingerId, touch.x * drawable.width, touch.y * drawable.height,
                 touch.pressure > 0.0F ? touch.pressure : 1.0, touch.timestamp);
+    }
+
+    /// Apart or nearer to each other, and where they go together.
+    void two_fingers(std::vector<WindowEvent>& events, const SDL_MultiGestureEvent& gesture) {
+        const SizePx drawable = size();
+        WindowEvent zoom;
+        zoom.kind = WindowEvent::Kind::Zoom;
+        zoom.zoom = kSpreadStep * static_cast<double>(gesture.dDist);
+        zoom.x = gesture.x * drawable.width;
+        zoom.y = gesture.y * drawable.height;
+        if (together_) {
+            zoom.shift_x = zoom.x - together_->first;
+            zoom.shift_y = zoom.y - together_->second;
+        }
+        together_ = {zoom.x, zoom.y};
+        zoom.time_us = event_time_us(gesture.timestamp);
+        zoom.finger = true;
+        const bool still = std::abs(gesture.dDist) < 1e-4F && zoom.shift_x == 0 && zoom.shift_y == 0;
+        if (!still) events.push_back(zoom);
+    }
+
+    /// The first button that goes down is the one that counts until it goes up.
+    bool is_held_button(std::uint8_t button, std::uint32_t type) {
+        if (type == SDL_MOUSEBUTTONDOWN && !mouse_button_) {
+            mouse_button_ = button;
+            return true;
+        }
+        if (type != SDL_MOUSEBUTTONUP || mouse_button_ != button) return false;
+        mouse_button_.reset();
+        return true;
     }
 
     void window_event(std::vector<WindowEvent>& events, const SDL_WindowEvent& event) {
@@ -94,6 +127,7 @@ class SdlWindow final : public Window {
                 push(WindowEvent::Kind::FocusGained);
                 break;
             case SDL_WINDOWEVENT_FOCUS_LOST:
+                mouse_button_.reset();
                 held_.reset();  // the lift may go to another window
                 push(WindowEvent::Kind::FocusLost);
                 break;
@@ -119,7 +153,8 @@ class SdlWindow final : public Window {
                 break;
             case SDL_MOUSEBUTTONDOWN:
             case SDL_MOUSEBUTTONUP:
-                if (event.button.button == SDL_BUTTON_LEFT && event.button.which != SDL_TOUCH_MOUSEID) {
+                if (event.button.which != SDL_TOUCH_MOUSEID && is_held_button(event.button.button, event.type)) {
+                    other_button_ = event.button.button != SDL_BUTTON_LEFT;
                     mouse(events, event.type == SDL_MOUSEBUTTONDOWN ? Kind::Down : Kind::Up, event.button.x,
                           event.button.y, event.button.timestamp);
                 }
@@ -131,6 +166,7 @@ class SdlWindow final : public Window {
                 break;
             case SDL_MOUSEWHEEL: {
                 WindowEvent zoom;
+                zoom.x = -1;  // where the pointer is
                 zoom.kind = Kind::Zoom;
                 zoom.zoom =
                     kWheelStep * (event.wheel.direction == SDL_MOUSEWHEEL_FLIPPED ? -event.wheel.y : event.wheel.y);
@@ -138,16 +174,9 @@ class SdlWindow final : public Window {
                 events.push_back(zoom);
                 break;
             }
-            case SDL_MULTIGESTURE: {
-                if (std::abs(event.mgesture.dDist) < 1e-4F) break;
-                WindowEvent zoom;
-                zoom.kind = Kind::Zoom;
-                zoom.zoom = kSpreadStep * static_cast<double>(event.mgesture.dDist);
-                zoom.time_us = event_time_us(event.mgesture.timestamp);
-                zoom.finger = true;
-                events.push_back(zoom);
+            case SDL_MULTIGESTURE:
+                two_fingers(events, event.mgesture);
                 break;
-            }
             case SDL_FINGERDOWN:
                 finger(events, Kind::Down, event.tfinger);
                 break;
@@ -165,6 +194,9 @@ class SdlWindow final : public Window {
     SDL_Window* window_;
     SDL_GLContext context_;
     std::optional<SDL_FingerID> held_;
+    std::optional<std::uint8_t> mouse_button_;
+    bool other_button_ = false;
+    std::optional<std::pair<double, double>> together_;  // the middle of two fingers
 };
 
 core::Unexpected no_display() {

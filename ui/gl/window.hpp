@@ -36,7 +36,9 @@ struct WindowEvent {
     bool finger = false;
     bool pen = false;     ///< of a tablet; a Move without a Down before it is one that hovers
     bool eraser = false;  ///< the pen's other end
+    bool button = false;  ///< a pen with its button held, or the mouse's other button
     double zoom = 0.0;    ///< of Zoom: doublings of the size
+    double shift_x = 0.0, shift_y = 0.0;  ///< of Zoom: how far two fingers moved together
 };
 
 struct WindowOptions {

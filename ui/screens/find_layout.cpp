@@ -12,6 +12,7 @@ struct Numbers {
     double board;
     Rect header;
     double wordmark_baseline;
+    Rect modes;
     Rect best, best_picture;
     double small_y, small_pitch, small_width, small_height, small_picture;
     double tools_x, tools_y, tool_width, tool_height;
@@ -27,6 +28,7 @@ constexpr Numbers kWide{1920,
                         672,
                         {40, 32, 504, 72},
                         81,
+                        {256, 32, 288, 72},
                         {40, 128, 504, 296},
                         {112, 124, 400, 270},
                         440,
@@ -50,6 +52,7 @@ constexpr Numbers kCompact{1280,
                            496,
                            {24, 20, 376, 64},
                            62,
+                           {160, 20, 240, 64},
                            {24, 100, 376, 212},
                            {92, 100, 284, 186},
                            324,
@@ -129,6 +132,7 @@ FindLayout upright_layout(SizePx screen, Hand hand) {
     out.sheet = {0, out.board.height, width, screen.height - out.board.height};
     out.header = {margin, at.round(32), width - 2 * margin, at.round(72)};
     out.wordmark_baseline = at.round(81);
+    out.mode_switch = {margin + at.round(216), at.round(32), at.round(288), at.round(72)};
 
     // the rail: the best card with four beside it, four below, across the whole width
     const double inner = width - 2 * margin, gap = at.round(12);
@@ -181,6 +185,7 @@ FindLayout find_layout(SizePx screen, Hand hand) {
                  static_cast<double>(screen.height)};
     out.header = at.block(n.header.x, n.header.y, n.header.width, n.header.height);
     out.wordmark_baseline = at.round(n.wordmark_baseline);
+    out.mode_switch = at.inside(out.header, n.modes.x - n.header.x, 0, n.modes.width, n.modes.height);
     place_cards(out, at, n);
     place_tools(out, at, n, taller / 2);
     out.footer = at.block(n.footer.x, n.footer.y + taller, n.footer.width, n.footer.height);

@@ -21,6 +21,7 @@ struct FindLayout {
     double scale = 1;      ///< pixels per pixel of the design picture of this arrangement
     Rect board, sheet, header, footer;
     double wordmark_baseline = 0;
+    Rect mode_switch;                    ///< Find / Garment, in the header
     std::array<Rect, kCardCount> cards;  ///< the best one first, then row by row
     std::array<Rect, kCardCount> card_pictures;
     std::array<Rect, kToolCount> tools;

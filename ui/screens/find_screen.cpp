@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/screens/garment_screen.hpp"
 #include "ui/screens/widgets.hpp"
 
 namespace ui {
@@ -306,6 +307,11 @@ DrawList FindScreen::draw(const FindState& state, const FindLayout& layout) cons
     drawer.sheet();
     drawer.cards();
     drawer.tools();
+    if (state.modes) {
+        draw_mode_switch(list, *fonts_, layout.mode_switch, (*languages_)[state.language], false,
+                         state.pressed == Control::Mode ? std::optional<std::size_t>(state.pressed_item) : std::nullopt,
+                         layout.px(layout.compact ? 18 : 20));
+    }
     draw_footer(list, *fonts_, *languages_, state.language, layout, state.pressed, state.pressed_item);
     drawer.pen();
     return list;
@@ -320,6 +326,9 @@ std::vector<BoardTouch::Target> FindScreen::targets(const FindState& state, cons
     if (!state.sheet_empty) all.push_back({Control::New, 0, layout.tools[4]});
     for (std::size_t i = 0; i < kCardCount; ++i) {
         if (state.cards[i].now) all.push_back({Control::Card, i, layout.cards[i]});
+    }
+    if (state.modes) {
+        for (const BoardTouch::Target& half : mode_targets(layout.mode_switch)) all.push_back(half);
     }
     if (state.sheet_cleared) all.push_back({Control::UndoClear, 0, Drawer::undo_clear_rect(layout)});
     return all;

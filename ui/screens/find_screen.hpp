@@ -46,12 +46,15 @@ enum class Control {
     EraseDigit,
     Cancel,
     Station,  ///< item: see station_item
+    Mode,     ///< item: 0 Find, 1 Garment
+    Garment,  ///< item: see garment_item
 };
 
 /// Everything that Find shows, as values.
 struct FindState {
     std::size_t language = 0;  ///< index into the languages
     Tool tool = Tool::Pen;
+    bool modes = false;     ///< the switch to Garment is offered
     bool fine_pen = false;  ///< of the two widths of line the finer one
     bool can_undo = false, can_redo = false;
     bool sheet_empty = true;

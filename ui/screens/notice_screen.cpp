@@ -40,6 +40,9 @@ Icon icon_of(Notice notice) {
 
 std::string text_of(const NoticeState& state, const Strings& words) {
     std::string text = words[prefix(state.notice) + "_text"];
+    if (state.notice == Notice::NoModels && state.garment) {
+        text = text.substr(0, text.find('\n') + 1) + words["garment_works"];
+    }
     if (state.notice != Notice::Building) return text;
     std::string key = "building_progress";
     if (!state.minutes_left) key = "building_progress_untimed";
@@ -61,8 +64,9 @@ FindLayout with_footer_below(FindLayout l) {
     return l;
 }
 
-std::string button_key(Notice notice) {
-    return notice == Notice::NoTablet ? "draw_by_touch" : "start_drawing";
+std::string button_key(const NoticeState& state) {
+    if (state.notice == Notice::NoModels && state.garment) return "go_to_garment";
+    return state.notice == Notice::NoTablet ? "draw_by_touch" : "start_drawing";
 }
 
 }  // namespace
@@ -80,8 +84,7 @@ std::string board_key(Notice notice) {
 
 Rect NoticeScreen::button(const NoticeState& state, const FindLayout& l) const {
     const ScreenScale s = ScreenScale::of(l.screen);
-    const double text =
-        fonts_->width_px((*languages_)[state.language][button_key(state.notice)], s.text(Face::SemiBold, 24));
+    const double text = fonts_->width_px((*languages_)[state.language][button_key(state)], s.text(Face::SemiBold, 24));
     const double width = std::round(text + s.px(88)), height = s.target(80);
     const double down = state.notice == Notice::Building ? s.px(16) : 0;
     return {std::round(l.screen.width / 2.0 - width / 2), std::round(l.screen.height * 0.637 + down), width, height};
@@ -106,7 +109,7 @@ DrawList NoticeScreen::draw(const NoticeState& state, const FindLayout& l) const
         draw_bar(list, {std::round(cx - width / 2), std::round(below), width, s.px(12)}, share, palette::kSanguine,
                  palette::kLine);
     }
-    draw_button(list, *fonts_, button(state, l), words[button_key(state.notice)], s.text(Face::SemiBold, 24),
+    draw_button(list, *fonts_, button(state, l), words[button_key(state)], s.text(Face::SemiBold, 24),
                 ButtonKind::Primary, state.pressed == Control::StartDrawing, s.px(2));
     draw_footer(list, *fonts_, *languages_, state.language, with_footer_below(l), state.pressed, state.pressed_item);
     return list;

@@ -13,6 +13,7 @@ enum class Notice { None, NoModels, CollectionMissing, CollectionDamaged, Collec
 struct NoticeState {
     Notice notice = Notice::None;
     std::size_t language = 0;
+    bool garment = false;                  ///< the other mode is there, and needs no collection
     std::int64_t done = 0, total = 0;      ///< models, of Building
     std::optional<int> minutes_left = {};  ///< of Building; nothing while that cannot be told
     std::optional<Control> pressed = {};

@@ -320,7 +320,7 @@ class Builder {
 
     void idle() {
         title("idle_times");
-        const std::array<const char*, kIdleTimeCount> keys{"idle_ask", "idle_countdown", "idle_empty"};
+        const std::array<const char*, kIdleTimeCount> keys{"idle_ask", "idle_countdown", "idle_empty", "idle_garment"};
         for (std::size_t i = 0; i < keys.size(); ++i)
             stepper(words_[keys[i]], std::to_string(state_.idle_s[i]) + " s", i);
     }
@@ -332,6 +332,8 @@ class Builder {
         row_switch(words_["language_start"], names, state_.start_language, StationAction::Language);
         row_switch(words_["hand_start"], {words_["left"], words_["right"]}, state_.start_left ? 0 : 1,
                    StationAction::Hand);
+        row_switch(words_["garment_mode"], {words_["off"], words_["on"]}, state_.garment ? 1 : 0,
+                   StationAction::Garment);
     }
 
     [[nodiscard]] std::string duration() const {

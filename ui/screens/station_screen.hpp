@@ -27,6 +27,7 @@ enum class StationAction : std::size_t {
     More,
     Language,  ///< index
     Hand,      ///< index: 0 left, 1 right
+    Garment,   ///< index: 0 off, 1 on
     SelfTest,
     SaveReport,
     Restart,
@@ -42,7 +43,7 @@ enum class StationAction : std::size_t {
     return item / 100;
 }
 
-inline constexpr std::size_t kIdleTimeCount = 3;  ///< ask, countdown, empty
+inline constexpr std::size_t kIdleTimeCount = 4;  ///< ask, countdown, empty, ask in Garment
 inline constexpr std::size_t kFolderRows = 6;
 
 struct StationState {
@@ -76,6 +77,7 @@ struct StationState {
     std::array<int, kIdleTimeCount> idle_s{};
     std::size_t start_language = 0;
     bool start_left = false;
+    bool garment = true;  ///< offered to visitors
     std::int64_t running_s = 0;
     double worst_frame_ms = 0;
     std::optional<bool> pen_live;  ///< nothing where there is no tablet

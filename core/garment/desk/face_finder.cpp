@@ -1,0 +1,376 @@
+#include "core/garment/desk/face_finder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+namespace core {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kReach_cm = 2.5;     // how far from a vertex a line's direction is taken
+constexpr double kSpacing_cm = 1.25;  // at which the turn of a line is summed
+/// A vertex whose order may be wrong: a line that leaves along the way out, or two whose directions are this near.
+constexpr double kSteep = 0.6, kNear_rad = 0.7;
+constexpr std::size_t kMostTried = 5;  // lines at a vertex whose orders are all tried
+constexpr int kRounds = 3;
+constexpr double kFacing = 0.35;  // openings of the worked designs: 0.14 at most; their pieces: 0.7 at least
+
+/// Half of a line: it, walked from one of its ends.
+struct Half {
+    int line = 0;
+    bool reversed = false;
+    [[nodiscard]] int id() const { return 2 * line + (reversed ? 1 : 0); }
+};
+
+struct Leaving {
+    Half half;     // away from the vertex
+    Vec3 way;      // unit
+    double angle;  // about the way out
+};
+
+struct Corner {
+    std::vector<Leaving> order;  // anti-clockwise about the way out
+    bool flat = true;            // its angles can be measured about the way out
+    bool weak = false;           // another order may be the right one
+};
+
+class FaceWalk {
+  public:
+    FaceWalk(const Network& network, int layer, const Obstacle& body) : net_(network), body_(body) {
+        take_lines(layer);
+        for (std::size_t v = 0; v < corners_.size(); ++v) order_lines(static_cast<int>(v));
+        improve();
+    }
+
+    [[nodiscard]] std::vector<NetworkFace> faces() const {
+        std::vector<NetworkFace> out;
+        for (const std::vector<int>& walk : walks()) {
+            NetworkFace face;
+            std::set<int> lines;
+            for (const int id : walk) {
+                face.ring.push_back({id / 2, id % 2 == 1});
+                lines.insert(id / 2);
+            }
+            face.turn_rad = turn_of(walk);
+            face.facing = facing_of(face.ring);
+            if (lines.size() == walk.size()) out.push_back(std::move(face));
+        }
+        return out;
+    }
+
+  private:
+    [[nodiscard]] const NetworkLine& line(int i) const { return net_.lines()[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] int start_of(int id) const { return id % 2 == 0 ? line(id / 2).from : line(id / 2).to; }
+
+    /// Living lines of the layer, without those that lead nowhere.
+    void take_lines(int layer) {
+        std::vector<int> degree(net_.vertices().size(), 0);
+        for (std::size_t i = 0; i < net_.lines().size(); ++i) {
+            const NetworkLine& l = net_.lines()[i];
+            if (!l.alive || l.layer != layer) continue;
+            lines_.push_back(static_cast<int>(i));
+            ++degree[static_cast<std::size_t>(l.from)], ++degree[static_cast<std::size_t>(l.to)];
+        }
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (std::size_t k = 0; k < lines_.size(); ++k) {
+                const auto from = static_cast<std::size_t>(line(lines_[k]).from),
+                           to = static_cast<std::size_t>(line(lines_[k]).to);
+                if (degree[from] > 1 && degree[to] > 1) continue;
+                --degree[from], --degree[to];
+                lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(k--));
+                changed = true;
+            }
+        }
+        corners_.resize(net_.vertices().size());
+        place_in_order_.resize(2 * net_.lines().size(), 0);
+        line_turn_.resize(net_.lines().size(), 0.0);
+        for (const int i : lines_) {
+            corners_[static_cast<std::size_t>(line(i).from)].order.push_back({{i, false}, {}, 0.0});
+            corners_[static_cast<std::size_t>(line(i).to)].order.push_back({{i, true}, {}, 0.0});
+            line_turn_[static_cast<std::size_t>(i)] = turn_along(line(i).shape);
+        }
+    }
+
+    /// The turn to the left between the ends of a line, about the way out.
+    [[nodiscard]] double turn_along(const SpaceLine& shape) const {
+        const int edges = std::max(2, static_cast<int>(std::lround(line_length(shape) / kSpacing_cm)));
+        const SpaceLine points = resampled(shape, edges);
+        double sum = 0.0;
+        for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+            const Vec3 out = normalised(body_.sample(points[i]).gradient);
+            const Vec3 a = points[i] - points[i - 1], b = points[i + 1] - points[i];
+            const Vec3 in = a - out * dot(a, out), on = b - out * dot(b, out);
+            if (length(in) < 0.2 * length(a) || length(on) < 0.2 * length(b)) continue;
+            sum += std::atan2(dot(out, cross(in, on)), dot(in, on));
+        }
+        return sum;
+    }
+
+    /// Out of the body about a vertex: with what it is a little along its lines, for it flips in folds of the body.
+    [[nodiscard]] Vec3 way_out(const Corner& corner, Vec3 place) const {
+        Vec3 sum = normalised(body_.sample(place).gradient);
+        for (const Leaving& leaving : corner.order) {
+            SpaceLine shape = line(leaving.half.line).shape;
+            if (leaving.half.reversed) std::reverse(shape.begin(), shape.end());
+            sum = sum +
+                  normalised(body_.sample(place_along(shape, std::min(kReach_cm, 0.4 * line_length(shape)))).gradient);
+        }
+        return normalised(sum);
+    }
+
+    void order_lines(int vertex) {
+        Corner& corner = corners_[static_cast<std::size_t>(vertex)];
+        if (corner.order.empty()) return;
+        const Vec3 place = net_.vertices()[static_cast<std::size_t>(vertex)].place;
+        const Vec3 out = way_out(corner, place);
+        const Vec3 aside = std::abs(out.y) < 0.8 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+        const Vec3 right = normalised(cross(aside, out)), up = cross(out, right);
+        for (Leaving& leaving : corner.order) {
+            SpaceLine shape = line(leaving.half.line).shape;
+            if (leaving.half.reversed) std::reverse(shape.begin(), shape.end());
+            leaving.way = normalised(place_along(shape, std::min(kReach_cm, 0.4 * line_length(shape))) - place);
+            leaving.angle = std::atan2(dot(leaving.way, up), dot(leaving.way, right));
+            corner.weak = corner.weak || std::abs(dot(leaving.way, out)) > kSteep;
+        }
+        std::sort(corner.order.begin(), corner.order.end(), [](const Leaving& a, const Leaving& b) {
+            return a.angle < b.angle || (a.angle == b.angle && a.half.id() < b.half.id());
+        });
+        for (std::size_t k = 0; k < corner.order.size(); ++k) {
+            double gap = corner.order[(k + 1) % corner.order.size()].angle - corner.order[k].angle;
+            if (gap <= 0.0) gap += 2.0 * kPi;
+            corner.weak = corner.weak || gap < kNear_rad;
+        }
+        note_order(corner);
+    }
+
+    void note_order(const Corner& corner) {
+        for (std::size_t k = 0; k < corner.order.size(); ++k)
+            place_in_order_[static_cast<std::size_t>(corner.order[k].half.id())] = k;
+    }
+
+    /// The half that follows in the face to the left.
+    [[nodiscard]] int after(int id) const {
+        const int back = id ^ 1;
+        const Corner& corner = corners_[static_cast<std::size_t>(start_of(back))];
+        const std::size_t k = place_in_order_[static_cast<std::size_t>(back)];
+        return corner.order[(k + corner.order.size() - 1) % corner.order.size()].half.id();
+    }
+
+    [[nodiscard]] std::vector<std::vector<int>> walks() const {
+        std::vector<std::vector<int>> out;
+        std::vector<bool> seen(place_in_order_.size(), false);
+        for (const int l : lines_)
+            for (const int first : {2 * l, 2 * l + 1}) {
+                if (seen[static_cast<std::size_t>(first)]) continue;
+                std::vector<int>& walk = out.emplace_back();
+                for (int id = first; !seen[static_cast<std::size_t>(id)]; id = after(id)) {
+                    seen[static_cast<std::size_t>(id)] = true;
+                    walk.push_back(id);
+                }
+            }
+        return out;
+    }
+
+    /// How far the face's border turns to the left in all.
+    [[nodiscard]] double turn_of(const std::vector<int>& walk) const {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < walk.size(); ++k) {
+            const double along = line_turn_[static_cast<std::size_t>(walk[k] / 2)];
+            sum += walk[k] % 2 == 0 ? along : -along;
+            const int back = walk[k] ^ 1, next = walk[(k + 1) % walk.size()];
+            const Corner& corner = corners_[static_cast<std::size_t>(start_of(next))];
+            const Leaving& in = corner.order[place_in_order_[static_cast<std::size_t>(back)]];
+            const Leaving& on = corner.order[place_in_order_[static_cast<std::size_t>(next)]];
+            double inner = in.angle - on.angle;
+            if (inner <= 0.0) inner += 2.0 * kPi;
+            if (!corner.flat && corner.order.size() > 2) inner = std::acos(std::clamp(dot(in.way, on.way), -1.0, 1.0));
+            sum += kPi - inner;
+        }
+        return sum;
+    }
+
+    [[nodiscard]] double facing_of(const std::vector<LineUse>& ring) const {
+        SpaceLine border;
+        for (const LineUse use : ring) {
+            SpaceLine shape = resampled(line(use.line).shape, 12);
+            if (use.reversed) std::reverse(shape.begin(), shape.end());
+            border.insert(border.end(), shape.begin(), shape.end() - 1);
+        }
+        Vec3 normal;
+        for (std::size_t i = 0; i < border.size(); ++i)
+            normal = normal + cross(border[i], border[(i + 1) % border.size()]);
+        normal = normalised(normal);
+        std::vector<double> cosines;
+        for (const Vec3& p : border) cosines.push_back(dot(normal, normalised(body_.sample(p).gradient)));
+        const auto tenth = cosines.begin() + static_cast<std::ptrdiff_t>(cosines.size() * 9 / 10);
+        std::nth_element(cosines.begin(), tenth, cosines.end());
+        return *tenth;
+    }
+
+    /// How well the orders about vertices go together: every face more is a handle less (Euler), and then pieces that
+    /// turn once about themselves count.
+    [[nodiscard]] double merit() const {
+        double sum = 0.0;
+        for (const std::vector<int>& walk : walks()) {
+            const double off = std::abs(turn_of(walk) - 2.0 * kPi) / (2.0 * kPi);
+            sum += 10.0 + std::max(0.0, 1.0 - off);
+        }
+        return sum;
+    }
+
+    /// Whether the order is that of the angles, which then say how wide a corner is.
+    [[nodiscard]] static bool is_turning(const Corner& corner) {
+        std::size_t falls = 0;
+        for (std::size_t k = 0; k < corner.order.size(); ++k)
+            falls += corner.order[(k + 1) % corner.order.size()].angle < corner.order[k].angle ? 1U : 0U;
+        return falls == 1;
+    }
+
+    /// Tries every order about the vertices where directions do not tell it surely.
+    void improve() {
+        double best = merit();
+        for (int round = 0; round < kRounds; ++round) {
+            const double before = best;
+            for (Corner& corner : corners_) {
+                if (!corner.weak || corner.order.size() < 3 || corner.order.size() > kMostTried) continue;
+                std::vector<Leaving> kept = corner.order;
+                std::vector<std::size_t> rest(kept.size() - 1);
+                for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = k + 1;
+                const std::vector<Leaving> first = kept;
+                do {
+                    for (std::size_t k = 0; k < rest.size(); ++k) corner.order[k + 1] = first[rest[k]];
+                    note_order(corner);
+                    corner.flat = corner.order.size() < 3 || is_turning(corner);
+                    if (const double now = merit(); now > best + 1e-9) best = now, kept = corner.order;
+                } while (std::next_permutation(rest.begin(), rest.end()));
+                corner.order = std::move(kept);
+                corner.flat = is_turning(corner);
+                note_order(corner);
+            }
+            if (best <= before + 1e-9) break;
+        }
+    }
+
+    const Network& net_;
+    const Obstacle& body_;
+    std::vector<int> lines_;
+    std::vector<Corner> corners_;              // by vertex
+    std::vector<std::size_t> place_in_order_;  // of each half about the vertex it leaves
+    std::vector<double> line_turn_;
+};
+
+std::set<int> lines_of(const std::vector<LineUse>& ring) {
+    std::set<int> out;
+    for (const LineUse use : ring) out.insert(use.line);
+    return out;
+}
+
+bool is_half_of(const NetworkRegion& region, LineUse use) {
+    return std::find(region.ring.begin(), region.ring.end(), use) != region.ring.end();
+}
+
+}  // namespace
+
+bool NetworkFace::is_cloth() const {
+    return turn_rad > kPi && facing > kFacing;
+}
+
+std::vector<NetworkFace> find_faces(const Network& network, int layer, const Obstacle& body) {
+    return FaceWalk(network, layer, body).faces();
+}
+
+std::vector<OpenFace> open_faces(const Network& network, int layer, const Obstacle& body) {
+    std::vector<NetworkFace> cloth = find_faces(network, layer, body);
+    std::erase_if(cloth, [](const NetworkFace& face) { return !face.is_cloth(); });
+    std::vector<OpenFace> out;
+    const auto known = [&](const NetworkFace& face) {
+        const std::set<int> lines = lines_of(face.ring);
+        return std::any_of(network.regions().begin(), network.regions().end(),
+                           [&](const NetworkRegion& r) { return r.layer == layer && lines_of(r.ring) == lines; });
+    };
+    for (const NetworkFace& face : cloth) {
+        if (known(face)) continue;
+        const NetworkRegion* over = nullptr;
+        for (const NetworkRegion& region : network.regions())
+            for (const LineUse use : face.ring)
+                if (region.alive && region.layer == layer && over == nullptr && is_half_of(region, use)) over = &region;
+        if (over == nullptr) {
+            out.push_back({face.ring, {}});
+            continue;
+        }
+        // lines drawn across a piece: its border and both sides of these lines are the borders of its parts
+        std::set<int> inner;  // halves that are not the piece's
+        bool parts = true;
+        for (const NetworkFace& other : cloth) {
+            const bool touches =
+                std::any_of(other.ring.begin(), other.ring.end(), [&](LineUse u) { return is_half_of(*over, u); });
+            if (!touches) continue;
+            for (const LineUse use : other.ring)
+                if (!is_half_of(*over, use)) inner.insert(2 * use.line + (use.reversed ? 1 : 0));
+        }
+        for (const int half : inner) parts = parts && inner.count(half ^ 1) != 0;
+        if (parts) out.push_back({face.ring, over->name});
+    }
+    return out;
+}
+
+std::vector<OpenEnd> open_ends(const Network& network, int layer) {
+    std::vector<int> degree(network.vertices().size(), 0);
+    for (const NetworkLine& line : network.lines())
+        if (line.alive && line.layer == layer)
+            ++degree[static_cast<std::size_t>(line.from)], ++degree[static_cast<std::size_t>(line.to)];
+    std::vector<OpenEnd> out;
+    for (std::size_t i = 0; i < network.lines().size(); ++i) {
+        const NetworkLine& line = network.lines()[i];
+        if (!line.alive || line.layer != layer) continue;
+        for (const int v : {line.from, line.to}) {
+            if (degree[static_cast<std::size_t>(v)] != 1) continue;
+            const NetworkVertex& vertex = network.vertices()[static_cast<std::size_t>(v)];
+            OpenEnd end{vertex.place, network.piece_name(static_cast<int>(i)), 0.0, {}, {}};
+            double least = std::numeric_limits<double>::max();
+            for (std::size_t k = 0; k < network.lines().size(); ++k) {
+                const NetworkLine& other = network.lines()[k];
+                if (!other.alive || other.layer != layer) continue;
+                NearestOnLine near;
+                if (k == i) {  // its own other end
+                    near.place =
+                        network.vertices()[static_cast<std::size_t>(v == line.from ? line.to : line.from)].place;
+                    near.distance = length(near.place - vertex.place);
+                } else {
+                    near = nearest_on_line(other.shape, vertex.place);
+                }
+                if (near.distance >= least) continue;
+                least = near.distance;
+                end.gap_cm = near.distance;
+                end.nearest = network.piece_name(static_cast<int>(k));
+                end.nearest_place = near.place;
+            }
+            out.push_back(std::move(end));
+        }
+    }
+    return out;
+}
+
+std::vector<std::string> names_of_ring(const Network& network, int layer, const std::vector<LineUse>& ring) {
+    const std::set<int> lines = lines_of(ring);
+    std::vector<std::string> names;
+    for (const LineUse use : ring) {
+        const std::string& name = network.lines()[static_cast<std::size_t>(use.line)].name;
+        bool whole = true;
+        for (std::size_t i = 0; i < network.lines().size(); ++i) {
+            const NetworkLine& other = network.lines()[i];
+            if (other.alive && other.layer == layer && other.name == name)
+                whole = whole && lines.count(static_cast<int>(i)) != 0;
+        }
+        const std::string piece = whole ? name : network.piece_name(use.line);
+        if (std::find(names.begin(), names.end(), piece) == names.end()) names.push_back(piece);
+    }
+    return names;
+}
+
+}  // namespace core

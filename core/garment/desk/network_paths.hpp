@@ -1,0 +1,25 @@
+#pragma once
+// Ways along the lines of a network.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/garment/desk/desk_tool.hpp"
+
+namespace core {
+
+/// The shortest ring through all pieces of a line and, between its two ends, other lines of its layer. Nothing for a
+/// line that is closed or whose ends no other lines join.
+[[nodiscard]] std::optional<std::vector<LineUse>> ring_with_line(const Network& network, int layer,
+                                                                 const std::string& name);
+
+/// The stretch of a line between the places nearest to two others, in its direction.
+[[nodiscard]] SpaceLine stretch_between(const SpaceLine& line, Vec3 from, Vec3 to);
+
+/// The region whose corner a tap means: the one under the pen if the vertex or line is on its ring, or else the first
+/// that passes it; null for none.
+[[nodiscard]] const NetworkRegion* region_at_corner(const Network& network, int layer, const Pick& vertex,
+                                                    const Pick& line, const Pick& region);
+
+}  // namespace core

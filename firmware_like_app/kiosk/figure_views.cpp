@@ -1,0 +1,251 @@
+#include "firmware_like_app/kiosk/figure_views.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace app {
+namespace {
+
+constexpr double kMostZoom = 8;
+constexpr double kMostElevation = 1.2;
+constexpr double kDefaultAzimuth = 0.5, kDefaultElevation = 0.1;
+constexpr double kHeadRoom_cm = 2;
+
+ui::SizePx whole(const ui::Rect& rect) {
+    return {std::max(1, static_cast<int>(rect.width)), std::max(1, static_cast<int>(rect.height))};
+}
+
+double height_of(const core::TriangleMesh& mesh) {
+    double top = 0;
+    for (const core::Vec3& v : mesh.vertices) top = std::max(top, v.y);
+    return top;
+}
+
+}  // namespace
+
+core::Result<FigureViews> FigureViews::create() {
+    core::Result<ui::FigureStage> stage = ui::FigureStage::create();
+    if (!stage) return core::unexpected(stage.error());
+    return FigureViews(std::move(*stage));
+}
+
+FigureViews::FigureViews(ui::FigureStage stage)
+    : stage_(std::move(stage)), large_(ui::FigureStage::make_target({1, 1})) {
+    for (int i = 0; i < ui::kGarmentTiles; ++i) small_.push_back(ui::FigureStage::make_target({1, 1}));
+}
+
+void FigureViews::lay_out(const ui::GarmentLayout& layout, ui::Painter& painter) {
+    layout_ = layout;
+    large_ = ui::FigureStage::make_target(whole(layout.sheet));
+    painter.set_picture(kFigure, &large_.texture());
+    for (std::size_t i = 0; i < small_.size(); ++i) {
+        small_[i] = ui::FigureStage::make_target(whole(layout.tile_pictures[i]));
+        painter.set_picture(tile_picture(i), &small_[i].texture());
+    }
+    reset_cameras();
+    tile_due_.fill(true);
+}
+
+void FigureViews::set_dress(FigureDress dress) {
+    dress_ = std::move(dress);
+    if (dress_.form) height_cm_ = height_of(dress_.form->mesh);
+    live_layer_ = -1;
+    upload();
+    surfaces_changed();
+}
+
+void FigureViews::upload() {
+    if (dress_.form != uploaded_form_) {
+        if (dress_.form) stage_.set_body(ui::corners_of_body(dress_.form->mesh));
+        uploaded_form_ = dress_.form;
+        aim();
+    }
+    stage_.set_layer_count(dress_.layers.size());
+    for (std::size_t i = 0; i < dress_.layers.size(); ++i) upload_layer(i);
+}
+
+void FigureViews::upload_layer(std::size_t i) {
+    const FigureDress::Layer& layer = dress_.layers[i];
+    if (!layer.cloth) {
+        stage_.set_layer(i, {});
+        return;
+    }
+    const core::Cloth& cloth = layer.textured ? *layer.textured : layer.cloth->fitted;
+    const bool live = layer.layer == live_layer_ && live_.size() == cloth.mesh.vertices.size();
+    stage_.set_layer(i, ui::corners_of_cloth(cloth, layer.looks, live ? &live_ : nullptr));
+}
+
+void FigureViews::set_places(int layer, const std::vector<core::Vec3>* places) {
+    const int before = live_layer_;
+    live_layer_ = places != nullptr ? layer : -1;
+    if (places != nullptr) live_ = *places;
+    for (std::size_t i = 0; i < dress_.layers.size(); ++i) {
+        if (dress_.layers[i].layer == layer || dress_.layers[i].layer == before) upload_layer(i);
+    }
+    surfaces_changed();
+}
+
+void FigureViews::set_quads(bool quads) {
+    if (quads == quads_) return;
+    quads_ = quads;
+    large_due_ = true;
+}
+
+void FigureViews::set_own_fabric(const std::string& name, const core::RgbaImage& picture) {
+    stage_.set_own_fabric(name, picture);
+}
+
+void FigureViews::surfaces_changed() {
+    large_due_ = true;
+    tile_due_.fill(true);
+    depth_fresh_ = false;
+    ++geometry_;
+}
+
+core::DrawingView FigureViews::view_of(ui::GarmentView view) const {
+    switch (view) {
+        case ui::GarmentView::Side:
+            return *core::named_view("left");
+        case ui::GarmentView::OtherSide:
+            return *core::named_view("right");
+        case ui::GarmentView::Back:
+            return *core::named_view("back");
+        case ui::GarmentView::Top:
+            return *core::named_view("top");
+        case ui::GarmentView::Solid:
+            return ui::solid_view(azimuth_, elevation_, height_cm_);
+        case ui::GarmentView::Front:
+            break;
+    }
+    return *core::named_view("front");
+}
+
+void FigureViews::aim() {
+    camera_ = ui::framed(view_of(view_), layout_.figure, height_cm_ + kHeadRoom_cm);
+    const Place& place = places_[static_cast<std::size_t>(view_)];
+    const core::Point middle{layout_.figure.centre_x(), layout_.figure.centre_y()};
+    camera_.scale_px *= place.zoom;
+    camera_.centre_px = middle + (camera_.centre_px - middle) * place.zoom + place.moved_px;
+    large_due_ = true;
+    depth_fresh_ = false;
+    ++geometry_;
+}
+
+void FigureViews::show(ui::GarmentView view) {
+    view_ = view;
+    const std::size_t tile = ui::tile_of(view);
+    if (tiles_[tile] != view) {
+        tiles_[tile] = view;
+        tile_due_[tile] = true;
+    }
+    aim();
+}
+
+void FigureViews::turn(double azimuth_rad, double elevation_rad) {
+    azimuth_ += azimuth_rad;
+    elevation_ = std::clamp(elevation_ + elevation_rad, -kMostElevation, kMostElevation);
+    tile_due_[ui::tile_of(ui::GarmentView::Solid)] = true;
+    aim();
+}
+
+void FigureViews::move_by(core::Point px) {
+    Place& place = places_[static_cast<std::size_t>(view_)];
+    place.moved_px = place.moved_px + px;
+    aim();
+}
+
+void FigureViews::zoom(double doublings, core::Point about_px) {
+    Place& place = places_[static_cast<std::size_t>(view_)];
+    const double before = place.zoom;
+    place.zoom = std::clamp(before * std::exp2(doublings), 1.0, kMostZoom);
+    if (place.zoom <= 1) {
+        place = {};
+    } else {  // what is under the pointer stays there
+        const core::Point middle{layout_.figure.centre_x(), layout_.figure.centre_y()};
+        const core::Point from = about_px - middle - place.moved_px;
+        place.moved_px = place.moved_px + from * (1 - place.zoom / before);
+    }
+    aim();
+}
+
+void FigureViews::reset_cameras() {
+    places_ = {};
+    azimuth_ = kDefaultAzimuth;
+    elevation_ = kDefaultElevation;
+    aim();
+}
+
+void FigureViews::fill_depth() {
+    if (depth_fresh_) return;
+    depth_fresh_ = true;
+    ui::FigureCamera camera = camera_;
+    camera.centre_px = camera.centre_px - core::Point{layout_.sheet.x, layout_.sheet.y};
+    depth_.clear(camera, whole(layout_.sheet));
+    if (dress_.form && dress_.body_shown) depth_.add(dress_.form->mesh.vertices, dress_.form->mesh.triangles);
+    for (const FigureDress::Layer& layer : dress_.layers) {
+        if (!layer.shown || !layer.cloth) continue;
+        const core::QuadMesh& mesh = layer.cloth->fitted.mesh;
+        const bool live = layer.layer == live_layer_ && live_.size() == mesh.vertices.size();
+        depth_.add(live ? live_ : mesh.vertices, mesh.quads);
+    }
+}
+
+bool FigureViews::near_figure(core::Point px, double reach_px) {
+    fill_depth();
+    return depth_.covered({px.x - layout_.sheet.x, px.y - layout_.sheet.y}, reach_px);
+}
+
+bool FigureViews::hides(core::Vec3 place) {
+    fill_depth();
+    return depth_.hides(place);
+}
+
+ui::FigureStage::Look FigureViews::look(bool quads) const {
+    ui::FigureStage::Look look;
+    look.quads = quads;
+    look.body = dress_.body_shown;
+    for (const FigureDress::Layer& layer : dress_.layers) look.shown.push_back(layer.shown);
+    return look;
+}
+
+void FigureViews::draw_large() {
+    ui::FigureCamera camera = camera_;
+    camera.centre_px = camera.centre_px - core::Point{layout_.sheet.x, layout_.sheet.y};
+    stage_.draw(camera, look(quads_), large_);
+    large_due_ = false;
+    ++revision_;
+}
+
+void FigureViews::draw_tile(std::size_t tile) {
+    const ui::Rect& r = layout_.tile_pictures[tile];
+    const double top = std::round(layout_.px(10)), foot = std::round(layout_.px(8));
+    const ui::Rect box{4, top, r.width - 8, r.height - top - foot};
+    stage_.draw(ui::framed(view_of(tiles_[tile]), box, height_cm_ + kHeadRoom_cm), look(false), small_[tile]);
+    tile_due_[tile] = false;
+    ++revision_;
+}
+
+bool FigureViews::due() const {
+    return large_due_ || std::find(tile_due_.begin(), tile_due_.end(), true) != tile_due_.end();
+}
+
+bool FigureViews::draw() {
+    if (large_due_) {
+        draw_large();
+        return true;
+    }
+    for (std::size_t i = 0; i < tile_due_.size(); ++i) {
+        if (!tile_due_[i]) continue;
+        draw_tile(i);
+        return true;
+    }
+    return false;
+}
+
+void FigureViews::draw_all() {
+    while (draw()) {
+    }
+}
+
+}  // namespace app

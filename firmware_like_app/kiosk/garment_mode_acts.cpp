@@ -1,0 +1,266 @@
+// What the board's controls do.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "firmware_like_app/kiosk/garment_mode.hpp"
+
+namespace app {
+namespace {
+
+constexpr double kOffsetStep_cm = 0.1, kMostOffset_cm = 20;
+
+}  // namespace
+
+void GarmentMode::act(const ui::Intent& intent, std::int64_t now_us) {
+    switch (intent.control) {
+        case ui::Control::Mode:
+            find_wanted_ = intent.item == 0;
+            break;
+        case ui::Control::Undo:
+            if (desk_) take_reply(desk_->undo(), now_us);
+            break;
+        case ui::Control::Redo:
+            if (desk_) take_reply(desk_->redo(), now_us);
+            break;
+        case ui::Control::Language:
+            options_.language = intent.item;
+            break;
+        case ui::Control::HandSwitch:
+            set_hand(options_.hand == ui::Hand::Right ? ui::Hand::Left : ui::Hand::Right);
+            break;
+        case ui::Control::Garment:
+            if (desk_) act(ui::garment_intent(intent.item), now_us);
+            break;
+        default:
+            break;  // of other screens
+    }
+}
+
+void GarmentMode::act(const ui::GarmentIntent& intent, std::int64_t now_us) {
+    using A = ui::GarmentAction;
+    switch (intent.action) {
+        case A::Tool:
+            choose_tool(static_cast<ui::GarmentTool>(intent.index), now_us);
+            break;
+        case A::Page:
+            page_ = intent.index;
+            break;
+        case A::View:
+            choose_view(intent.index);
+            break;
+        case A::Less:
+        case A::More:
+            if (!moved_) step_offset(intent.action == A::More ? 1 : -1);  // held, it has repeated
+            break;
+        case A::ShowLayers:
+        case A::ShowHistory:
+            history_shown_ = intent.action == A::ShowHistory;
+            scroll_px_ = 0;
+            break;
+        case A::Row:
+            press_row(intent.index, now_us);
+            break;
+        case A::Eye:
+            press_eye(intent.index, now_us);
+            break;
+        case A::RowUp:
+        case A::RowDown:
+            move_row(intent.index, intent.action == A::RowUp ? 1 : -1, now_us);
+            break;
+        case A::AddLayer:
+            take_reply(desk_->new_layer(), now_us);
+            scroll_px_ = 0;
+            break;
+        case A::Swatch:
+            press_row(intent.index, now_us);
+            open_drawer(ui::GarmentDrawer::Fabric);
+            break;
+        case A::Fabrics:
+            open_drawer(ui::GarmentDrawer::Fabric);
+            break;
+        case A::Body:
+            body_.set(desk_->state().worn()->form.measures.value_or(body_.measures()));
+            open_drawer(ui::GarmentDrawer::Body);
+            break;
+        case A::Export:
+            open_drawer(ui::GarmentDrawer::Export);
+            break;
+        case A::Layers:
+            open_drawer(ui::GarmentDrawer::Layers);
+            break;
+        case A::CloseDrawer:
+        case A::Done:
+            open_drawer(ui::GarmentDrawer::None);
+            break;
+        case A::Quads:
+            quads_ = !quads_;
+            views_.set_quads(quads_);
+            break;
+        case A::New:
+            clear_design(now_us);
+            break;
+        case A::UndoNew:
+            if (put_away_) {
+                const core::Design back = *std::exchange(put_away_, std::nullopt);
+                cleared_ = false;
+                if (const core::Result<void> opened = open(back); !opened) problem_ = opened.error().sentence();
+            }
+            break;
+        case A::Size:
+            body_.choose_size(intent.index);
+            keep_body(now_us);
+            break;
+        case A::ResetBody:
+            body_.reset();
+            keep_body(now_us);
+            break;
+        case A::Fabric:
+            choose_fabric(intent.index, now_us);
+            break;
+        case A::Colour:
+            choose_colour(intent.index, now_us);
+            break;
+        default:
+            break;
+    }
+}
+
+void GarmentMode::choose_tool(ui::GarmentTool tool, std::int64_t now_us) {
+    problem_.clear();
+    notes_.clear();
+    tape_.reset();
+    drawing_due_ = true;
+    if (tool == ui::GarmentTool::Mirror) {  // a switch, not a pen
+        take_reply(desk_->set_mirror(!desk_->state().look().mirror), now_us);
+        return;
+    }
+    tool_ = tool;
+}
+
+void GarmentMode::choose_view(std::size_t tile) {
+    using V = ui::GarmentView;
+    V view = views_.tiles()[tile];
+    if (view == views_.view()) {  // again: its other side
+        if (view == V::Side || view == V::OtherSide) view = view == V::Side ? V::OtherSide : V::Side;
+        if (view == V::Solid || view == V::Top) view = view == V::Solid ? V::Top : V::Solid;
+    }
+    views_.show(view);
+    drawing_due_ = true;
+}
+
+std::optional<std::size_t> GarmentMode::layer_of_row(std::size_t row) const {
+    const std::size_t count = desk_->layers().size();
+    if (row >= count) return std::nullopt;  // the body
+    return count - 1 - row;
+}
+
+void GarmentMode::press_row(std::size_t row, std::int64_t now_us) {
+    if (history_shown_) {  // from the newest down to the start
+        const std::size_t acts = desk_->history().size();
+        if (row <= acts) take_reply(desk_->go_to(acts - row), now_us);
+        return;
+    }
+    const std::optional<std::size_t> place = layer_of_row(row);
+    if (!place) return;
+    const core::LayerRow layer = desk_->layers()[*place];
+    piece_ = layer.regions.empty() ? "" : layer.regions.back();
+    line_.clear();
+    if (!layer.worked_on) take_reply(desk_->work_on(layer.layer), now_us);
+}
+
+void GarmentMode::press_eye(std::size_t row, std::int64_t now_us) {
+    const std::optional<std::size_t> place = layer_of_row(row);
+    if (!place) {
+        body_shown_ = !body_shown_;
+        show_cloth();
+        return;
+    }
+    const core::LayerRow layer = desk_->layers()[*place];
+    take_reply(desk_->show_layer(layer.layer, !layer.shown), now_us);
+}
+
+void GarmentMode::move_row(std::size_t row, int by, std::int64_t now_us) {
+    const std::optional<std::size_t> place = layer_of_row(row);
+    if (place) take_reply(desk_->move_layer(desk_->layers()[*place].layer, by), now_us);
+}
+
+void GarmentMode::open_drawer(ui::GarmentDrawer drawer) {
+    drawer_ = drawer;
+    body_problem_.clear();
+    scroll_px_ = 0;
+}
+
+void GarmentMode::step_offset(int steps) {
+    offset_cm_ = std::clamp(std::round((offset_cm_ + steps * kOffsetStep_cm) * 10) / 10, 0.0, kMostOffset_cm);
+}
+
+/// The selected piece, or all of the layer that is worked on.
+std::vector<std::string> GarmentMode::pieces_to_dye() const {
+    std::vector<std::string> pieces;
+    for (const core::NetworkRegion& region : desk_->network().regions()) {
+        if (region.alive && region.layer == desk_->layer()) pieces.push_back(region.name);
+    }
+    return pieces;
+}
+
+void GarmentMode::choose_fabric(std::size_t fabric, std::int64_t now_us) {
+    if (fabric >= ui::kFabricCount) return;
+    for (const std::string& piece : pieces_to_dye()) {
+        const auto& materials = desk_->state().look().materials;
+        const auto found = materials.find(piece);
+        core::ClothMaterial material = found != materials.end() ? found->second : core::ClothMaterial{};
+        const auto chosen = static_cast<ui::Fabric>(fabric);
+        material.fabric = chosen == ui::Fabric::Plain ? "" : std::string(ui::fabric_name(chosen));
+        take_reply(desk_->set_material(piece, material), now_us);
+    }
+}
+
+void GarmentMode::choose_colour(std::size_t colour, std::int64_t now_us) {
+    if (colour >= ui::kSwatches.size()) return;
+    for (const std::string& piece : pieces_to_dye()) {
+        const auto& materials = desk_->state().look().materials;
+        const auto found = materials.find(piece);
+        core::ClothMaterial material = found != materials.end() ? found->second : core::ClothMaterial{};
+        material.colour = ui::hex_of(ui::Colour::hex(ui::kSwatches[colour]));
+        take_reply(desk_->set_material(piece, material), now_us);
+    }
+}
+
+/// While a slider moves: the figure and the garment follow, the design stays as it is.
+void GarmentMode::try_body() {
+    if (const core::Result<void> fits = core::check_measures(body_.measures()); !fits) {
+        body_problem_ = words()["body_unfit"];
+        return;
+    }
+    body_problem_.clear();
+    builder_.submit({desk_->try_body(body_.measures()), woven_layers()});
+}
+
+void GarmentMode::keep_body(std::int64_t now_us) {
+    if (const core::Result<void> fits = core::check_measures(body_.measures()); !fits) {
+        body_problem_ = words()["body_unfit"];
+        body_.set(desk_->state().worn()->form.measures.value_or(body_.measures()));
+        return;
+    }
+    body_problem_.clear();
+    take_reply(desk_->set_body(body_.measures()), now_us);
+}
+
+void GarmentMode::clear_design(std::int64_t now_us) {
+    core::Design before = desk_->design();
+    core::Design empty;
+    empty.body = before.body;
+    if (const core::Result<void> opened = open(empty); !opened) {
+        problem_ = opened.error().sentence();
+        return;
+    }
+    put_away_ = std::move(before);
+    cleared_ = true;
+    cleared_us_ = now_us;
+    tool_ = ui::GarmentTool::OnBody;
+    page_ = 0;
+}
+
+}  // namespace app

@@ -1,0 +1,220 @@
+#pragma once
+// The Garment screen: board with tools, views, layers and folds; sheet with the figure and what is drawn on it. State
+// in, draw list and intents out.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/draw/draw_list.hpp"
+#include "ui/screens/find_screen.hpp"
+#include "ui/screens/garment_layout.hpp"
+#include "ui/screens/sheet_line.hpp"
+#include "ui/screens/strings.hpp"
+
+namespace ui {
+
+/// What the pen does on the sheet. The first eight stand on the first page of the grid, in this order.
+enum class GarmentTool {
+    OnPlane,
+    OnBody,
+    TemporaryPlane,
+    Corner,
+    Cut,
+    Add,
+    Mirror,  ///< a switch of the design rather than of the pen
+    Eraser,
+    Move,
+    Smooth,
+    Bump,
+    Weld,
+    Hole,
+    Remove,
+    Measure
+};
+
+/// The first four have tiles; a tap on the tile that is large already turns it to its other side.
+enum class GarmentView { Front, Side, Back, Solid, OtherSide, Top };
+[[nodiscard]] std::size_t tile_of(GarmentView view);
+/// "view_front", …
+[[nodiscard]] const char* view_key(GarmentView view);
+
+enum class GarmentAction {
+    Tool,  ///< index: GarmentTool
+    Page,
+    View,  ///< index: tile
+    Less,
+    More,
+    ShowLayers,
+    ShowHistory,
+    Row,  ///< index: in the list, from the top
+    Eye,
+    Swatch,
+    RowUp,
+    RowDown,
+    AddLayer,
+    Folds,
+    Body,
+    Export,
+    Layers,  ///< upright: opens the drawer
+    New,
+    UndoNew,
+    Designs,
+    Fabrics,
+    Quads,
+    Hang,
+    CloseDrawer,
+    Size,     ///< index: of the sizes
+    Measure,  ///< index: slider of the body drawer
+    ResetBody,
+    OwnBody,
+    Done,
+    Fabric,    ///< index: in the list of fabrics
+    Colour,    ///< index: of the swatches
+    ExportAs,  ///< index: of the kinds of export
+    NoteWay,   ///< the way on that a note offers
+};
+/// What Intent::item holds for Control::Garment.
+[[nodiscard]] std::size_t garment_item(GarmentAction action, std::size_t index = 0);
+struct GarmentIntent {
+    GarmentAction action = GarmentAction::Tool;
+    std::size_t index = 0;
+};
+[[nodiscard]] GarmentIntent garment_intent(std::size_t item);
+
+struct LayerRow {
+    std::string name;
+    Colour swatch;
+    bool shown = true, selected = false, clashing = false;
+    bool body = false;  ///< the last one: neither moved nor removed
+    bool can_up = false, can_down = false;
+    friend bool operator==(const LayerRow&, const LayerRow&) = default;
+};
+
+struct HistoryRow {
+    std::string name;
+    bool undone = false;   ///< comes back with Redo
+    bool current = false;  ///< the last one that counts
+    friend bool operator==(const HistoryRow&, const HistoryRow&) = default;
+};
+
+enum class GarmentDrawer { None, Body, Fabric, Layers, Export };
+
+/// One measure of the drawer.
+struct MeasureSlider {
+    std::string key;  ///< of its name
+    double cm = 0, least = 0, most = 1;
+    friend bool operator==(const MeasureSlider&, const MeasureSlider&) = default;
+};
+
+struct BodyDrawer {
+    std::vector<std::string> sizes;   ///< as written on the switch
+    std::optional<std::size_t> size;  ///< none: own measures or an own body
+    std::size_t last_size = 0;        ///< what Reset goes back to
+    std::array<MeasureSlider, kBodySliders> measures;
+    std::optional<std::size_t> held;  ///< slider
+    bool own_body = false;            ///< of a file: sliders are off
+    std::string problem;              ///< a sentence: these measures fit no body
+    friend bool operator==(const BodyDrawer&, const BodyDrawer&) = default;
+};
+
+/// A fabric in the drawer: its picture is one tile of the cloth.
+struct FabricTile {
+    std::string name;
+    PictureId picture{};
+    bool chosen = false;
+    friend bool operator==(const FabricTile&, const FabricTile&) = default;
+};
+
+/// Words at a place of the sheet: what keeps an outline open, what the tape reads.
+struct PlacedNote {
+    std::string words;
+    core::Point at_px;
+    bool warning = true;
+    friend bool operator==(const PlacedNote&, const PlacedNote&) = default;
+};
+
+/// The five swatches of layers, then further ones for pieces.
+inline constexpr std::array<std::uint32_t, 10> kSwatches{0xE2C690, 0xB4BFC9, 0xC9B1A8, 0xB7C2A4, 0xCFC6DA,
+                                                         0xF1ECE0, 0x5B6F8C, 0x8C4A43, 0x55624C, 0x3B3733};
+
+/// Everything that Garment shows, as values.
+struct GarmentState {
+    std::size_t language = 0;
+    GarmentTool tool = GarmentTool::OnBody;
+    std::size_t page = 0;
+    GarmentView view = GarmentView::Front;
+    std::array<GarmentView, kGarmentTiles> tiles{GarmentView::Front, GarmentView::Side, GarmentView::Back,
+                                                 GarmentView::Solid};
+    std::array<PictureId, kGarmentTiles> tile_pictures{};
+    double offset_cm = 1.2;
+    bool can_undo = false, can_redo = false, empty = true, cleared = false;
+    bool mirror = true, quads = true, hanging = false;
+    bool line_open = false;  ///< the pen is down
+
+    std::vector<LayerRow> rows;
+    std::vector<HistoryRow> history;
+    bool history_shown = false;
+    double scroll_px = 0;    ///< of the list
+    std::string folds_name;  ///< of the piece the slider changes; empty: all of the layer
+    double folds = 0;        ///< 0 flat … 1 deepest
+    bool folds_on = false, folds_held = false;
+
+    GarmentDrawer drawer = GarmentDrawer::None;
+    BodyDrawer body;
+    std::vector<FabricTile> fabrics;
+    std::size_t colour = 0;
+    std::string export_message;  ///< under the buttons of the drawer
+    bool export_busy = false;
+    double export_share = 0;
+
+    std::string problem;       ///< under the view's name: why the last stroke was not taken, and how to go on
+    bool problem_way = false;  ///< a button "All measures" or the like is offered with it
+    std::vector<PlacedNote> notes;
+
+    PictureId figure{};
+    std::uint64_t figure_revision = 0;  ///< another number when a picture changed
+    std::vector<SheetWash> washes;
+    std::vector<SheetLine> lines;
+    std::vector<core::Point> handles_px, open_ends_px;
+    std::optional<std::size_t> held_handle;
+    std::vector<core::Point> plane_px;  ///< corners of the temporary plane
+    std::optional<std::array<core::Point, 2>> axis_px;
+    std::optional<core::Point> pen_px;     ///< where a pen hovers that lies on a tablet
+    std::optional<core::Point> eraser_px;  ///< the ring, while erasing
+    std::vector<core::Point> brush_px;     ///< reach of the brush in use
+
+    std::optional<Control> pressed;
+    std::size_t pressed_item = 0;
+    friend bool operator==(const GarmentState&, const GarmentState&) = default;
+};
+
+class GarmentScreen {
+  public:
+    /// Both must outlive the screen.
+    GarmentScreen(const FontSet& fonts, const std::vector<Strings>& languages)
+        : fonts_(&fonts), languages_(&languages) {}
+
+    [[nodiscard]] DrawList draw(const GarmentState& state, const GarmentLayout& layout) const;
+    /// What can be touched in this state. Sliders are targets too: whoever holds one reads slider_share.
+    [[nodiscard]] std::vector<BoardTouch::Target> targets(const GarmentState& state, const GarmentLayout& layout) const;
+    /// How far the list can be scrolled.
+    [[nodiscard]] static double most_scroll_px(const GarmentState& state, const GarmentLayout& layout);
+
+  private:
+    const FontSet* fonts_;
+    const std::vector<Strings>* languages_;
+};
+
+/// Where along its line a slider is held, 0 … 1.
+[[nodiscard]] double slider_share(const Rect& slider, double x, double scale);
+/// Tools of a page, in the order of its slots.
+[[nodiscard]] std::array<std::optional<GarmentIntent>, kGarmentSlots> tools_of_page(std::size_t page);
+/// The switch Find / Garment of both screens.
+void draw_mode_switch(DrawList& list, const FontSet& fonts, const Rect& rect, const Strings& words, bool garment,
+                      std::optional<std::size_t> pressed, double size_px);
+[[nodiscard]] std::vector<BoardTouch::Target> mode_targets(const Rect& rect);
+
+}  // namespace ui
