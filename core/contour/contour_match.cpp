@@ -8,6 +8,10 @@
 
 #include "core/match/lanes.hpp"
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 namespace core {
 
 namespace {
@@ -73,15 +77,26 @@ void take_off(V& a, const V& b) {
 
 constexpr std::size_t kRounds = ContourMatcher::kRounds, kRound = kFramePoints / kRounds;
 
+/// Writes the differences of one frame of A from all of B, which is kMostOfPair less what is left of it. A row holds
+/// B's points twice and a little, so that every turn is a run in it.
+__attribute__((always_inline)) inline void store_differences(const Bytes (&left)[kRowBlocks], std::uint8_t* row) {
+#pragma GCC unroll 3
+    for (std::size_t g = 0; g < kRowBlocks; ++g) {
+        const Bytes sum = static_cast<std::uint8_t>(kMostOfPair) - left[g];
+        store(row + g * kBytes, sum);
+        store(row + kFramePoints + g * kBytes, sum);
+        if (g == 0) store(row + 2 * kFramePoints, sum);
+    }
+}
+
 /// Differences of a round of frames of A and all of B, and no more than kMostOfPair.
-CROQUIS_LANES_CLONES void fill_differences(const Points& low_a, const Points& high_a, const Channels& low_b,
-                                           const Channels& high_b, std::size_t round, Differences& out) {
+void fill_differences_plain(const Points& low_a, const Points& high_a, const Channels& low_b, const Channels& high_b,
+                            std::size_t round, Differences& out) {
     for (std::size_t i = round * kRound; i < (round + 1) * kRound; ++i) {
         Bytes left[kRowBlocks];  // of kMostOfPair
         for (Bytes& l : left) l = Bytes{} + static_cast<std::uint8_t>(kMostOfPair);
         for (std::size_t k = 0; k < kFrameChannels; ++k) {
             const Bytes low = Bytes{} + low_a[i][k], high = Bytes{} + high_a[i][k];
-#pragma GCC unroll 3
             for (std::size_t g = 0; g < kRowBlocks; ++g) {
                 Bytes upper, lower;
                 load(upper, &low_b[k][g * kBytes]);
@@ -92,15 +107,43 @@ CROQUIS_LANES_CLONES void fill_differences(const Points& low_a, const Points& hi
                 take_off(left[g], upper);
             }
         }
-        // A row holds B's points twice and a little, so that every turn is a run in it.
-#pragma GCC unroll 3
-        for (std::size_t g = 0; g < kRowBlocks; ++g) {
-            const Bytes sum = static_cast<std::uint8_t>(kMostOfPair) - left[g];
-            store(&out[i][g * kBytes], sum);
-            store(&out[i][kFramePoints + g * kBytes], sum);
-        }
-        store(&out[i][2 * kFramePoints], Bytes{static_cast<std::uint8_t>(kMostOfPair) - left[0]});
+        store_differences(left, out[i].data());
     }
+}
+
+#if defined(__x86_64__)
+/// The same in half the instructions, by subtractions that stop at nought.
+__attribute__((target("avx2"))) void fill_differences_avx2(const Points& low_a, const Points& high_a,
+                                                           const Channels& low_b, const Channels& high_b,
+                                                           std::size_t round, Differences& out) {
+    const auto at = [](const std::uint8_t* from) { return reinterpret_cast<const __m256i*>(from); };
+    for (std::size_t i = round * kRound; i < (round + 1) * kRound; ++i) {
+        __m256i left[kRowBlocks];
+        for (__m256i& l : left) l = _mm256_set1_epi8(static_cast<char>(kMostOfPair));
+        for (std::size_t k = 0; k < kFrameChannels; ++k) {
+            const __m256i low = _mm256_set1_epi8(static_cast<char>(low_a[i][k]));
+            const __m256i high = _mm256_set1_epi8(static_cast<char>(high_a[i][k]));
+#pragma GCC unroll 3
+            for (std::size_t g = 0; g < kRowBlocks; ++g) {
+                const __m256i upper = _mm256_max_epu8(low, _mm256_loadu_si256(at(&low_b[k][g * kBytes])));
+                const __m256i lower = _mm256_min_epu8(high, _mm256_loadu_si256(at(&high_b[k][g * kBytes])));
+                left[g] = _mm256_subs_epu8(left[g], _mm256_subs_epu8(upper, lower));
+            }
+        }
+        Bytes bytes[kRowBlocks];
+        std::memcpy(bytes, left, sizeof left);
+        store_differences(bytes, out[i].data());
+    }
+}
+#endif
+
+void fill_differences(const Points& low_a, const Points& high_a, const Channels& low_b, const Channels& high_b,
+                      std::size_t round, Differences& out) {
+#if defined(__x86_64__)
+    static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
+    if (has_avx2) return fill_differences_avx2(low_a, high_a, low_b, high_b, round, out);
+#endif
+    fill_differences_plain(low_a, high_a, low_b, high_b, round, out);
 }
 
 /// What alignments by each turn cost at least up to the end of a round of points, from what they did up to its start:
@@ -167,58 +210,90 @@ CROQUIS_LANES_CLONES int least_alignment(const Differences& differences, std::si
     return result < limit ? least_of(cost[kStray]) : result;
 }
 
-CROQUIS_LANES_CLONES int least_cover_difference(const ContourDescriptor& a, const ContourDescriptor& b) {
-    constexpr std::size_t kWide = kShorts, kHalves = kPolarSectors / kWide;
-    static_assert(kPolarSectors % kWide == 0);
-    alignas(32) std::int16_t own[kPolarRings][kPolarSectors];
-    alignas(32) std::int16_t other[2][kPolarRings][2 * kPolarSectors];
-    for (std::size_t r = 0; r < kPolarRings; ++r) {
-        for (std::size_t h = 0; h < kHalves; ++h) {
-            Half from_a, from_b;
-            std::memcpy(&from_a, &a.cover[r][h * kWide], kWide);
-            std::memcpy(&from_b, &b.cover[r][h * kWide], kWide);
-            const Shorts wide = __builtin_convertvector(from_b, Shorts);
-            const Shorts turned =
-                __builtin_shufflevector(wide, wide, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
-            store(&own[r][h * kWide], __builtin_convertvector(from_a, Shorts));
+/// The cover of B twice over, so that every turn is a run in it, and that of its mirror image.
+struct TurningCover {
+    std::array<std::array<std::uint8_t, 2 * kPolarSectors>, kPolarRings> straight, mirrored;
+    explicit TurningCover(const ContourDescriptor& b) {
+        for (std::size_t r = 0; r < kPolarRings; ++r) {
             for (std::size_t twice = 0; twice < 2; ++twice) {
-                store(&other[0][r][(twice * kHalves + h) * kWide], wide);
-                store(&other[1][r][(twice * kHalves + kHalves - 1 - h) * kWide], turned);
+                std::copy(b.cover[r].begin(), b.cover[r].end(), straight[r].begin() + twice * kPolarSectors);
+                std::reverse_copy(b.cover[r].begin(), b.cover[r].end(), mirrored[r].begin() + twice * kPolarSectors);
             }
         }
     }
+};
+
+CROQUIS_LANES_CLONES int least_cover_difference_plain(const ContourDescriptor& a, const TurningCover& b) {
     int least = std::numeric_limits<int>::max();
-    for (std::size_t turn = 0; turn < 2 * kPolarSectors; ++turn) {
-        Shorts sum{};
-        for (std::size_t r = 0; r < kPolarRings; ++r) {
-            const std::int16_t* row = &other[turn / kPolarSectors][r][turn % kPolarSectors];
-            for (std::size_t h = 0; h < kHalves; ++h) {
-                Shorts here, there;
-                load(here, &own[r][h * kWide]);
-                load(there, row + h * kWide);
-                const Shorts d = here - there;
-                sum += d < 0 ? -d : d;
+    for (const auto* cover : {&b.straight, &b.mirrored}) {
+        for (std::size_t turn = 0; turn < kPolarSectors; ++turn) {
+            Shorts sum{};
+            for (std::size_t r = 0; r < kPolarRings; ++r) {
+                for (std::size_t s = 0; s < kPolarSectors; s += kShorts) {
+                    Half here, there;
+                    load(here, &a.cover[r][s]);
+                    load(there, &(*cover)[r][turn + s]);
+                    const Half d = (here > there ? here : there) - (here < there ? here : there);
+                    sum += __builtin_convertvector(d, Shorts);
+                }
             }
+            int whole = 0;
+            for (std::size_t s = 0; s < kShorts; ++s) whole += sum[s];
+            least = std::min(least, whole);
         }
-        int whole = 0;
-        for (std::size_t s = 0; s < kWide; ++s) whole += sum[s];
-        least = std::min(least, whole);
     }
     return least;
 }
 
-/// The frames of the mirror image; ahead is behind, so that the lowest becomes the highest.
-void mirror_points(const Points& low, const Points& high, Points& mirrored_low, Points& mirrored_high) {
-    for (std::size_t i = 0; i < kFramePoints; ++i) {
-        const std::size_t from = kFramePoints - 1 - i;
-        for (std::size_t m = 0; m < kFrameStretches; ++m) {
-            const std::size_t height = kFrameStretches - 1 - m, ahead = kFrameChannels - 1 - m;
-            mirrored_low[i][m] = low[from][height];
-            mirrored_high[i][m] = high[from][height];
-            constexpr int kTwice = 2 * MatchableContour::kZero;
-            mirrored_low[i][kFrameStretches + m] = static_cast<std::uint8_t>(kTwice - high[from][ahead]);
-            mirrored_high[i][kFrameStretches + m] = static_cast<std::uint8_t>(kTwice - low[from][ahead]);
+#if defined(__x86_64__)
+/// The same by sums of absolute differences.
+__attribute__((target("avx2"))) int least_cover_difference_avx2(const ContourDescriptor& a, const TurningCover& b) {
+    static_assert(kPolarSectors == sizeof(__m256i));
+    const auto at = [](const std::uint8_t* from) { return reinterpret_cast<const __m256i*>(from); };
+    int least = std::numeric_limits<int>::max();
+    for (const auto* cover : {&b.straight, &b.mirrored}) {
+        for (std::size_t turn = 0; turn < kPolarSectors; ++turn) {
+            __m256i sum = _mm256_setzero_si256();
+            for (std::size_t r = 0; r < kPolarRings; ++r) {
+                const __m256i here = _mm256_loadu_si256(at(a.cover[r].data()));
+                const __m256i there = _mm256_loadu_si256(at(&(*cover)[r][turn]));
+                sum = _mm256_add_epi64(sum, _mm256_sad_epu8(here, there));
+            }
+            const __m128i half = _mm_add_epi64(_mm256_castsi256_si128(sum), _mm256_extracti128_si256(sum, 1));
+            least = std::min(least, _mm_cvtsi128_si32(_mm_add_epi64(half, _mm_unpackhi_epi64(half, half))));
         }
+    }
+    return least;
+}
+#endif
+
+/// Over all turns and both directions.
+int least_cover_difference(const ContourDescriptor& a, const ContourDescriptor& b) {
+    const TurningCover turning(b);
+#if defined(__x86_64__)
+    static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
+    if (has_avx2) return least_cover_difference_avx2(a, turning);
+#endif
+    return least_cover_difference_plain(a, turning);
+}
+
+/// The frames of the mirror image: stretches from the other end, and ahead is behind, so that the lowest becomes the
+/// highest.
+CROQUIS_LANES_CLONES void mirror_points(const Points& low, const Points& high, Points& mirrored_low,
+                                        Points& mirrored_high) {
+    static_assert(sizeof(Half) == kFrameChannels && kFrameStretches == kFrameChannels / 2);
+    constexpr std::uint8_t kTwice = 2 * MatchableContour::kZero;
+    Half of_low, of_high;
+    for (std::size_t i = 0; i < kFramePoints; ++i) {
+        load(of_low, low[kFramePoints - 1 - i].data());
+        load(of_high, high[kFramePoints - 1 - i].data());
+        const Half behind_low = kTwice - of_high, behind_high = kTwice - of_low;
+        const Half out_low =
+            __builtin_shufflevector(of_low, behind_low, 7, 6, 5, 4, 3, 2, 1, 0, 31, 30, 29, 28, 27, 26, 25, 24);
+        const Half out_high =
+            __builtin_shufflevector(of_high, behind_high, 7, 6, 5, 4, 3, 2, 1, 0, 31, 30, 29, 28, 27, 26, 25, 24);
+        store(mirrored_low[i].data(), out_low);
+        store(mirrored_high[i].data(), out_high);
     }
 }
 

@@ -40,8 +40,9 @@ struct MatchableContour {
     using Channels = std::array<std::array<std::uint8_t, kRow>, kFrameChannels>;
     using Points = std::array<std::array<std::uint8_t, kFrameChannels>, kFramePoints>;
     /// What each channel runs through from a quarter of a step before a point to a quarter after it: lowest and
-    /// highest. One row a channel …
-    Channels low{}, high{};
+    /// highest. One row a channel, each at a whole vector …
+    alignas(64) Channels low{};
+    alignas(64) Channels high{};
     /// … and one row a point.
     Points low_at{}, high_at{};
     /// Sums over all points of bounded functions of the frames, at their lowest and highest: see lower_bound.
@@ -84,7 +85,7 @@ class ContourMatcher {
 
     // Of both directions of A:
     MatchableContour::Points mirrored_low_{}, mirrored_high_{};
-    std::array<Differences, 2> differences_{};
+    alignas(64) std::array<Differences, 2> differences_{};
     std::array<std::array<TurnBounds, kRounds + 1>, 2> until_{};  // what the points before a round cost at least
     std::array<Block, 2 * kFramePoints / 16> blocks_{};
     std::size_t block_count_ = 0;

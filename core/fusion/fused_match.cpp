@@ -32,9 +32,11 @@ double FusedMatcher::distance_from(double contour, const ComparableShape& a, con
 
 double FusedMatcher::distance_from(double contour, const ComparableShape& a, const PartsBound& bound,
                                    const ComparableShape& b, double give_up_at) {
-    if (contour >= give_up_at) return contour;
-    if (bound.is_at_least(b.parts, parts_limit(contour, give_up_at))) return give_up_at;
-    return distance_from(contour, a, b, give_up_at);
+    if (contour >= give_up_at || contour == 0.0) return contour;
+    const double limit = parts_limit(contour, give_up_at);
+    const Ways open = bound.open_ways(b.parts, limit);
+    if (open.none()) return give_up_at;
+    return fused_distance(parts_.distance(a.parts, b.parts, limit, open), contour);
 }
 
 double FusedMatcher::distance(const ComparableShape& a, const ComparableShape& b, double give_up_at) {

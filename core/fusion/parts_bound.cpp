@@ -23,11 +23,15 @@ OutlineProfile flat(std::uint8_t height, float complexity) {
     return profile;
 }
 
+constexpr int kLevel = 128;  // what heights of nought are stored as, and sums of two
+
 template <std::size_t Points>
-void put(const OutlineProfile& from, std::size_t point, HeightPlanes<Points>& to, std::size_t at) {
+void put(const OutlineProfile& from, std::size_t point, PairedHeights<Points>& to, std::size_t at) {
     const auto& heights = from.heights[point];
-    std::copy_n(heights.begin(), kHeightBins / 2, to.first[at].begin());
-    std::copy_n(heights.begin() + kHeightBins / 2, kHeightBins / 2, to.second[at].begin());
+    for (std::size_t pair = 0; pair < PairedHeights<Points>::kPairs; ++pair) {
+        const int sum = heights[2 * pair] + heights[2 * pair + 1] - kLevel;
+        to.at[at][pair] = static_cast<std::uint8_t>(std::clamp(sum, 0, UINT8_MAX));
+    }
 }
 
 }  // namespace
@@ -44,8 +48,8 @@ PartsBound::PartsBound(const MatchableShape& shape) : level_(flat(0, shape.forwa
 
 namespace {
 
-using Fixed = HeightPlanes<kOutlineGrid>;
-using Turning = HeightPlanes<2 * kOutlineGrid>;
+using Fixed = PairedHeights<kOutlineGrid>;
+using Turning = PairedHeights<2 * kOutlineGrid>;
 using Least = std::array<int, kOutlineGrid>;
 
 constexpr std::size_t kAtOnce = 3;  // sums i + j worked on at once, as rounding mixes three
@@ -61,13 +65,11 @@ __attribute__((target("avx2"))) void fill_least_avx2(const Fixed& b, const Turni
 #pragma GCC unroll 3
     for (__m256i& f : found) f = _mm256_set1_epi64x(INT16_MAX);
     for (std::size_t j = 0; j < kOutlineGrid; j += 4) {
-        const __m256i first = load_avx2(b.first[j].data()), second = load_avx2(b.second[j].data());
+        const __m256i here = load_avx2(b.at[j].data());
 #pragma GCC unroll 3
         for (std::size_t k = 0; k < kAtOnce; ++k) {
             const std::size_t t = j + (kOutlineGrid - (r + k) % kOutlineGrid);
-            const __m256i sum = _mm256_add_epi64(_mm256_sad_epu8(first, load_avx2(a.first[t].data())),
-                                                 _mm256_sad_epu8(second, load_avx2(a.second[t].data())));
-            found[k] = _mm256_min_epi16(found[k], sum);
+            found[k] = _mm256_min_epi16(found[k], _mm256_sad_epu8(here, load_avx2(a.at[t].data())));
         }
     }
 #pragma GCC unroll 3
@@ -88,13 +90,11 @@ void fill_least_sse2(const Fixed& b, const Turning& a, std::size_t r, Least& lea
 #pragma GCC unroll 3
     for (__m128i& f : found) f = _mm_set1_epi64x(INT16_MAX);
     for (std::size_t j = 0; j < kOutlineGrid; j += 2) {
-        const __m128i first = load_sse2(b.first[j].data()), second = load_sse2(b.second[j].data());
+        const __m128i here = load_sse2(b.at[j].data());
 #pragma GCC unroll 3
         for (std::size_t k = 0; k < kAtOnce; ++k) {
             const std::size_t t = j + (kOutlineGrid - (r + k) % kOutlineGrid);
-            const __m128i sum = _mm_add_epi64(_mm_sad_epu8(first, load_sse2(a.first[t].data())),
-                                              _mm_sad_epu8(second, load_sse2(a.second[t].data())));
-            found[k] = _mm_min_epi16(found[k], sum);
+            found[k] = _mm_min_epi16(found[k], _mm_sad_epu8(here, load_sse2(a.at[t].data())));
         }
     }
 #pragma GCC unroll 3
@@ -131,24 +131,24 @@ bool all_reach(const Fixed& b, const Turning& a, int needed) {
 
 }  // namespace
 
-bool PartsBound::is_at_least(const MatchableShape& other, double distance) const {
+Ways PartsBound::open_ways(const MatchableShape& other, double distance) const {
     const double outline = kRounding * distance / static_cast<double>(kOutlineWeight);
-    if (outline >= static_cast<double>(kUnaligned)) return false;  // what outlines without matched parts count as
+    if (outline >= static_cast<double>(kUnaligned)) return {};  // what outlines without matched parts count as
     const OutlineProfile& profile = other.forwards.outline;
     // What differences of one in every bin at every place come to, these two shapes being as complex as they are.
     const OutlineAnchor start;
     const float ones = outline_difference(level_, flat(1, profile.complexity), {&start, 1});
-    const double needed = std::ceil(outline / static_cast<double>(ones) * kPlaces * kHeightBins);
+    const auto needed =
+        static_cast<int>(std::ceil(outline / static_cast<double>(ones) * kPlaces * static_cast<int>(kHeightBins)));
     Fixed fixed;
     for (std::size_t j = 0; j < kOutlineGrid; ++j) put(profile, j, fixed, j);
-    return all_reach(fixed, forwards_, static_cast<int>(needed)) &&
-           all_reach(fixed, backwards_, static_cast<int>(needed));
+    return {!all_reach(fixed, forwards_, needed), !all_reach(fixed, backwards_, needed)};
 }
 
 #else
 
-bool PartsBound::is_at_least(const MatchableShape& /*other*/, double /*distance*/) const {
-    return false;
+Ways PartsBound::open_ways(const MatchableShape& /*other*/, double /*distance*/) const {
+    return {};
 }
 
 #endif

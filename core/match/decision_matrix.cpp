@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace core {
@@ -10,6 +11,12 @@ namespace {
 
 std::size_t index(int i) {
     return static_cast<std::size_t>(i);
+}
+
+/// How many groups hold the members, rounded up to whole wide lanes.
+std::size_t row_length(const OpenedRing& open) {
+    constexpr std::size_t kInWide = kWideLanes / kLanes;
+    return (lane_groups(open.members.size()) + kInWide - 1) / kInWide * kInWide;
 }
 
 float least_lane(Lanes v) {
@@ -74,13 +81,13 @@ void DecisionMatrix::set_rings(const PartRing& a, const PartRing& b) {
 /// is paired with, even several times the same.
 void DecisionMatrix::set_cut(const PartRing& a, const OpenedRing& open_b, bool reversed) {
     const std::vector<LaneGroup>& own = reversed ? own_reversed_ : own_;
-    const std::size_t row = lane_groups(open_b.members.size());
+    const std::size_t row = row_length(open_b);
     own_in_order_.resize(a.parts.size() * row);
     least_of_a_.resize(a.parts.size());
     least_of_b_.assign(row, LaneGroup{});
     for (std::size_t x = 0; x < a.parts.size(); ++x) {
         LaneGroup* ordered = &own_in_order_[x * row];
-        ordered[row - 1].v = Lanes{};
+        std::fill(ordered + open_b.members.size() / kLanes, ordered + row, LaneGroup{});  // nought past the members
         auto* to = reinterpret_cast<float*>(ordered);
         const auto* from = reinterpret_cast<const float*>(&own[x * own_row_]);
         for (std::size_t k = 0; k < open_b.members.size(); ++k) to[k] = from[open_b.members[k].part];
@@ -112,8 +119,9 @@ void DecisionMatrix::fill_before(const OpenedRing& open, const float* least, boo
 /// out than followed; one that with all that can come before it does not get below `give_up_at` is of no use either. So
 /// only gains below a threshold are followed.
 float DecisionMatrix::solve(const PartRing& a, const OpenedRing& open_a, const OpenedRing& open_b, float give_up_at) {
-    const std::size_t row = lane_groups(open_b.members.size()), size_a = open_a.members.size();
+    const std::size_t row = row_length(open_b), size_a = open_a.members.size();
     gains_.assign(size_a * row, LaneGroup{});
+    onward_gains_.resize(size_a * row);
     row_least_.resize(size_a);
     before_a_.resize(size_a);
     fill_before(open_a, least_of_a_.data(), true, before_a_.data());
@@ -124,6 +132,7 @@ float DecisionMatrix::solve(const PartRing& a, const OpenedRing& open_a, const O
         for (std::size_t g = 0; g < row; ++g) {
             const Lanes threshold = least_of(Lanes{}, give_up_at - greatest_of(before_b_[g].v, before_a_[x]));
             Lanes& gain = gains_[x * row + g].v;
+            onward_gains_[x * row + g].v = gain;
             gain = own[g].v + gain;
             gain = gain < threshold ? gain : Lanes{};
             least_of_row = least_of(least_of_row, gain);
@@ -139,70 +148,77 @@ float DecisionMatrix::solve(const PartRing& a, const OpenedRing& open_a, const O
 /// better left out than followed.
 CROQUIS_LANES_CLONES void DecisionMatrix::connect(const PartRing& a, const OpenedRing& open_a, const OpenedRing& open_b,
                                                   std::size_t to) {
-    const std::size_t row = lane_groups(open_b.members.size());
+    const std::size_t row = row_length(open_b);
     const auto* gain_of = reinterpret_cast<const float*>(&gains_[to * row]);
     onward_.resize(open_b.members.size());
-    for (std::size_t g = 0; g < row; ++g) {
-        const OpenedRing::Step* step = open_b.steps.data() + open_b.steps_from[g];
-        const OpenedRing::Step* end = open_b.steps.data() + open_b.steps_from[g + 1];
+    const InterDistance* const from_part = &a.inter[index(open_a.members[to].part)];
+    const std::size_t part_count = a.parts.size();
+    for (std::size_t g = 0; g * kWideLanes < open_b.members.size(); ++g) {
         Onward* last = onward_.data();
-        for (; step != end; ++step) {  // without a branch: it would be guessed wrongly half the time
-            const float gain = gain_of[step->to];
-            *last = {all_lanes(gain), step};
-            last += gain < 0.0F ? 1 : 0;
+        for (auto k = index(open_b.steps_from[g]); k < index(open_b.steps_from[g + 1]); ++k) {
+            const float gain = gain_of[open_b.steps_to[k]];
+            *last = {gain, &open_b.steps[k]};
+            last += gain < 0.0F ? 1 : 0;  // without a branch: it would be guessed wrongly half the time
         }
         if (last == onward_.data()) continue;
         for (std::size_t x = 0; x < index(open_a.members[to].before); ++x) {
-            const InterDistance& d = a.between(index(open_a.members[x].part), index(open_a.members[to].part));
-            const Lanes d_e = all_lanes(d.d_e), d_be = all_lanes(d.d_be), d_a = all_lanes(d.d_a);
-            Lanes best = gains_[x * row + g].v;
+            const InterDistance& d = from_part[index(open_a.members[x].part) * part_count];
+            const WideLanes d_e = WideLanes{} + d.d_e, d_be = WideLanes{} + d.d_be, d_a = WideLanes{} + d.d_a;
+            auto* const gains = reinterpret_cast<float*>(&gains_[x * row]) + g * kWideLanes;
+            WideLanes best;
+            std::memcpy(&best, gains, sizeof best);
             for (const Onward* next = onward_.data(); next != last; ++next) {
-                const Lanes e = d_e - next->step->d_e, be = d_be - next->step->d_be, angle = d_a - next->step->d_a;
-                best = least_of(next->gain + (e * e + be * be + angle * angle), best);
+                const WideLanes e = d_e - next->step->d_e, be = d_be - next->step->d_be, angle = d_a - next->step->d_a;
+                const WideLanes gain = next->gain + (e * e + be * be + angle * angle);
+                best = gain < best ? gain : best;
             }
-            gains_[x * row + g].v = best;
+            std::memcpy(gains, &best, sizeof best);
         }
     }
 }
 
-/// The pair that best starts the match (after == nullptr) or best follows a pair of it; nullopt if none gains anything.
-/// Among equal ones the first in member order.
+/// The pair that best starts the match; nullopt if none gains anything. Among equal ones the first in member order.
+std::optional<DecisionMatrix::Link> DecisionMatrix::first_link(const OpenedRing& open_a,
+                                                               const OpenedRing& open_b) const {
+    const std::size_t row = row_length(open_b);
+    const float least = row_least_.empty() ? 0.0F : *std::min_element(row_least_.begin(), row_least_.end());
+    if (least >= 0.0F) return std::nullopt;
+    for (std::size_t x = 0; x < open_a.members.size(); ++x) {
+        if (row_least_[x] != least) continue;
+        const auto* gains = reinterpret_cast<const float*>(&gains_[x * row]);
+        return Link{x, static_cast<std::size_t>(std::find(gains, gains + open_b.members.size(), least) - gains)};
+    }
+    return std::nullopt;
+}
+
+/// The pair that best follows a pair of the match; nullopt if none gains anything. Among equal ones the first in member
+/// order.
 std::optional<DecisionMatrix::Link> DecisionMatrix::next_link(const PartRing& a, const OpenedRing& open_a,
                                                               const PartRing& b, const OpenedRing& open_b,
-                                                              const Link* after) const {
-    const std::size_t row = lane_groups(open_b.members.size());
-    float least = 0.0F;
-    std::optional<Link> best;
-    const auto consider = [&](std::size_t x, std::size_t y, float gain) {
-        if (gain >= least) return;
-        if (after != nullptr) {
-            if (after->y >= index(open_b.members[y].before)) return;
-            gain += inter_cost(a.between(index(open_a.members[after->x].part), index(open_a.members[x].part)),
-                               b.between(index(open_b.members[after->y].part), index(open_b.members[y].part)));
-            if (gain >= least) return;
-        }
-        least = gain;
-        best = Link{x, y};
-    };
-    for (std::size_t x = 0; x < open_a.members.size(); ++x) {
-        if (row_least_[x] >= least) continue;
-        if (after != nullptr && after->x >= index(open_a.members[x].before)) continue;
-        for (std::size_t g = 0; g < row; ++g) {
-            const Lanes gains = gains_[x * row + g].v;
-            if (least_lane(gains) >= least) continue;
-            for (std::size_t lane = 0; lane < kLanes; ++lane) consider(x, g * kLanes + lane, gains[lane]);
+                                                              Link after) const {
+    const std::size_t row = row_length(open_b);
+    const float sought = reinterpret_cast<const float*>(&onward_gains_[after.x * row])[after.y];
+    if (sought >= 0.0F) return std::nullopt;
+    for (std::size_t x = after.x + 1; x < open_a.members.size(); ++x) {
+        if (row_least_[x] > sought || after.x >= index(open_a.members[x].before)) continue;
+        const InterDistance& of_a = a.between(index(open_a.members[after.x].part), index(open_a.members[x].part));
+        const auto* gains = reinterpret_cast<const float*>(&gains_[x * row]);
+        for (std::size_t y = after.y + 1; y < open_b.members.size(); ++y) {
+            if (gains[y] > sought || after.y >= index(open_b.members[y].before)) continue;
+            const InterDistance& of_b = b.between(index(open_b.members[after.y].part), index(open_b.members[y].part));
+            if (gains[y] + inter_cost(of_a, of_b) == sought) return Link{x, y};
         }
     }
-    return best;
+    return std::nullopt;
 }
 
 void DecisionMatrix::trace(const PartRing& a, const OpenedRing& open_a, const PartRing& b, const OpenedRing& open_b,
                            Chain& chain) const {
     chain.clear();
-    std::optional<Link> link = next_link(a, open_a, b, open_b, nullptr);
+    std::optional<Link> link = first_link(open_a, open_b);
     while (link) {
         chain.emplace_back(open_a.members[link->x].part, open_b.members[link->y].part);
-        link = next_link(a, open_a, b, open_b, &*link);
+        link = next_link(a, open_a, b, open_b, *link);
     }
 }
 

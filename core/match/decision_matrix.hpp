@@ -46,7 +46,7 @@ class DecisionMatrix {
   private:
     /// A step that may be taken next, with the gain from where it leads to.
     struct Onward {
-        Lanes gain{};
+        float gain = 0.0F;
         const OpenedRing::Step* step = nullptr;
     };
     /// A pair as members of both opened rings.
@@ -56,13 +56,15 @@ class DecisionMatrix {
 
     void fill_before(const OpenedRing& open, const float* least, bool by_part, float* out);
     void connect(const PartRing& a, const OpenedRing& open_a, const OpenedRing& open_b, std::size_t to);
+    std::optional<Link> first_link(const OpenedRing& open_a, const OpenedRing& open_b) const;
     std::optional<Link> next_link(const PartRing& a, const OpenedRing& open_a, const PartRing& b,
-                                  const OpenedRing& open_b, const Link* after) const;
+                                  const OpenedRing& open_b, Link after) const;
 
     std::size_t own_row_ = 0;                    // groups of parts of b
     std::vector<LaneGroup> own_, own_reversed_;  // parts of a x parts of b: node distance less what the pair spares
     std::vector<LaneGroup> own_in_order_;        // parts of a x members of the opened b
     std::vector<LaneGroup> gains_;               // members of a x members of b: see solve
+    std::vector<LaneGroup> onward_gains_;        // of these, what the best that follows gains
     std::vector<float> row_least_;               // least gain of each member of a
     // Bounds that look at one shape alone: the least own gain of each member of b and part of a, and of all that can
     // come before.

@@ -93,17 +93,17 @@ void Matcher::try_cuts(const PartRing& a, const PartRing& b, bool reversed) {
     }
 }
 
-void Matcher::try_both(const MatchableShape& a, const MatchableShape& b, float give_up_at) {
+void Matcher::try_both(const MatchableShape& a, const MatchableShape& b, float give_up_at, Ways open) {
     best_.distance = give_up_at;
     best_.chain.clear();
     matrix_.set_rings(a.forwards, b.forwards);
-    try_cuts(a.forwards, b.forwards, false);
-    try_cuts(a.forwards, b.backwards, true);
+    if (open.along) try_cuts(a.forwards, b.forwards, false);
+    if (open.against) try_cuts(a.forwards, b.backwards, true);
 }
 
-double Matcher::distance(const MatchableShape& a, const MatchableShape& b, double give_up_at) {
+double Matcher::distance(const MatchableShape& a, const MatchableShape& b, double give_up_at, Ways open) {
     const bool swapped = !in_order(a.forwards, b.forwards);
-    try_both(swapped ? b : a, swapped ? a : b, static_cast<float>(give_up_at));
+    try_both(swapped ? b : a, swapped ? a : b, static_cast<float>(give_up_at), open);
     return best_.distance;
 }
 

@@ -67,12 +67,19 @@ struct Match {
     double left_out_cost = 0.0;  ///< sum of their norms
 };
 
+/// Which way round B may be read: as A is, or the other way.
+struct Ways {
+    bool along = true, against = true;
+    [[nodiscard]] bool none() const { return !along && !against; }
+};
+
 /// Working memory that is kept from one pair of shapes to the next; one per thread.
 class Matcher {
   public:
-    /// The distance alone. As soon as it cannot come below `give_up_at`, give_up_at comes back.
+    /// The distance alone. As soon as it cannot come below `give_up_at`, give_up_at comes back. Configurations that
+    /// read B in a way that is not open are passed over: they must be known to give no less than `give_up_at`.
     [[nodiscard]] double distance(const MatchableShape& a, const MatchableShape& b,
-                                  double give_up_at = std::numeric_limits<double>::infinity());
+                                  double give_up_at = std::numeric_limits<double>::infinity(), Ways open = {});
     /// Distance and correspondence.
     [[nodiscard]] Match match(const MatchableShape& a, const MatchableShape& b);
     /// Distance of a shape to its own clockwise reading: how asymmetric it is (7.1.2). 0 for a symmetric shape.
@@ -92,7 +99,7 @@ class Matcher {
     };
 
     void try_cuts(const PartRing& a, const PartRing& b, bool reversed);
-    void try_both(const MatchableShape& a, const MatchableShape& b, float give_up_at);
+    void try_both(const MatchableShape& a, const MatchableShape& b, float give_up_at, Ways open = {});
     float outline_along(const PartRing& a, const PartRing& b, float give_up_at);
 
     DecisionMatrix matrix_;

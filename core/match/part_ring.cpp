@@ -63,8 +63,9 @@ void add_steps(const PartRing& ring, std::size_t first_from, OpenedRing& open) {
     for (std::size_t to = 0; to < open.members.size(); ++to) {
         const auto before = static_cast<std::size_t>(open.members[to].before);
         if (before <= first_from) continue;
-        OpenedRing::Step step{all_lanes(std::numeric_limits<float>::infinity()), {}, {}, static_cast<int>(to)};
-        for (std::size_t from = first_from; from < std::min(first_from + kLanes, before); ++from) {
+        OpenedRing::Step step;
+        step.d_e += std::numeric_limits<float>::infinity();
+        for (std::size_t from = first_from; from < std::min(first_from + kWideLanes, before); ++from) {
             const InterDistance& d = ring.between(static_cast<std::size_t>(open.members[from].part),
                                                   static_cast<std::size_t>(open.members[to].part));
             step.d_e[from - first_from] = d.d_e;
@@ -72,6 +73,7 @@ void add_steps(const PartRing& ring, std::size_t first_from, OpenedRing& open) {
             step.d_a[from - first_from] = d.d_a;
         }
         open.steps.push_back(step);
+        open.steps_to.push_back(static_cast<int>(to));
     }
 }
 
@@ -79,8 +81,8 @@ OpenedRing opened_at(const PartRing& ring, int start) {
     OpenedRing open;
     open.members = members_from(ring, start);
     open.steps_from.push_back(0);
-    for (std::size_t g = 0; g < lane_groups(open.members.size()); ++g) {
-        add_steps(ring, g * kLanes, open);
+    for (std::size_t first = 0; first < open.members.size(); first += kWideLanes) {
+        add_steps(ring, first, open);
         open.steps_from.push_back(static_cast<int>(open.steps.size()));
     }
     return open;

@@ -38,13 +38,14 @@ struct OpenedRing {
         int part = 0;    ///< index into PartRing::parts
         int before = 0;  ///< as many members end before this one starts, and they are the first in `members`
     };
-    /// Inter-distances from a group of members to a later one; d_e is infinite from members that do not end before it.
+    /// Inter-distances from a group of kWideLanes members to a later one; d_e is infinite from members that do not end
+    /// before it.
     struct Step {
-        Lanes d_e{}, d_be{}, d_a{};
-        int to = 0;  ///< index into `members`
+        WideLanes d_e{}, d_be{}, d_a{};
     };
     std::vector<Member> members;  ///< by the position at which they end, ascending
     std::vector<Step> steps;      ///< by the group of members they lead from, then by the one they lead to
+    std::vector<int> steps_to;    ///< where each step leads to, as index into `members`
     std::vector<int> steps_from;  ///< steps of group g: steps_from[g] … steps_from[g + 1]
 };
 

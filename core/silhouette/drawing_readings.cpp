@@ -58,8 +58,14 @@ Result<std::vector<Silhouette>> drawing_readings(const GrayImage& page, const Si
     return competing(find_silhouette(page, options), find_silhouette(page, wide_reading(options)));
 }
 
-Result<std::vector<Silhouette>> LiveReadings::readings() const {
-    return competing(plain_.silhouette(), wide_.silhouette());
+Result<Silhouette> LiveReadings::plain(const Drawing& drawing) {
+    plain_.follow(drawing);
+    return plain_.silhouette();
+}
+
+Result<std::vector<Silhouette>> LiveReadings::all(const Drawing& drawing) {
+    wide_.follow(drawing);
+    return competing(plain(drawing), wide_.silhouette());
 }
 
 }  // namespace core

@@ -32,15 +32,15 @@ namespace core {
 [[nodiscard]] Result<std::vector<Silhouette>> drawing_readings(const GrayImage& page,
                                                                const SilhouetteOptions& options = {});
 
-/// The readings of a drawing while it is drawn: drawing_readings at every step.
+/// The readings of a drawing while it is drawn. Each of the two silhouettes follows the drawing when it is asked for;
+/// one that was not asked for in a while has the more to catch up with.
 class LiveReadings {
   public:
     explicit LiveReadings(const SilhouetteOptions& options = {}) : plain_(options), wide_(wide_reading(options)) {}
-    void follow(const Drawing& drawing) {
-        plain_.follow(drawing);
-        wide_.follow(drawing);
-    }
-    [[nodiscard]] Result<std::vector<Silhouette>> readings() const;
+    /// The first of drawing_readings, at half the cost of all.
+    [[nodiscard]] Result<Silhouette> plain(const Drawing& drawing);
+    /// drawing_readings.
+    [[nodiscard]] Result<std::vector<Silhouette>> all(const Drawing& drawing);
 
   private:
     LiveSilhouette plain_, wide_;

@@ -67,8 +67,10 @@ std::vector<RankedModel> Collection::rank(std::span<const core::ComparableShape>
 }
 
 std::vector<RankedModel> Collection::nearest(std::span<const core::ComparableShape> readings, std::size_t count,
-                                             int jobs, std::stop_token stop) const {
-    return nearest_models(models_, {.readings = readings, .jobs = jobs, .stop = std::move(stop)}, count);
+                                             int jobs, std::stop_token stop,
+                                             std::span<const std::size_t> likely) const {
+    return nearest_models(models_, {.readings = readings, .likely = likely, .jobs = jobs, .stop = std::move(stop)},
+                          count);
 }
 
 }  // namespace app

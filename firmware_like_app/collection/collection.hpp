@@ -29,9 +29,10 @@ class Collection {
     /// rank_models for one drawing, in all its readings.
     [[nodiscard]] std::vector<RankedModel> rank(std::span<const core::ComparableShape> readings, RankBy by, int jobs,
                                                 std::stop_token stop = {}) const;
-    /// nearest_models for one drawing, in all its readings.
+    /// nearest_models for one drawing, in all its readings; `likely` as in ModelSearch.
     [[nodiscard]] std::vector<RankedModel> nearest(std::span<const core::ComparableShape> readings, std::size_t count,
-                                                   int jobs, std::stop_token stop = {}) const;
+                                                   int jobs, std::stop_token stop = {},
+                                                   std::span<const std::size_t> likely = {}) const;
 
   private:
     std::vector<CollectionModel> models_;

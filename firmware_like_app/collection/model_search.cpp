@@ -60,6 +60,7 @@ class NearestSoFar {
         best_.insert(std::upper_bound(best_.begin(), best_.end(), model, is_nearer), model);
         if (best_.size() > count_) best_.pop_back();
     }
+    [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] std::vector<RankedModel> take() { return std::move(best_); }
 
   private:
@@ -88,9 +89,16 @@ class NearestSearch {
 
     std::vector<RankedModel> run() {
         std::vector<std::size_t> order = models_of(models_.size(), search_);
-        sort_by(order, cheap_bounds(order));
+        std::vector<double> bounds = cheap_bounds(order);
+        std::size_t known = 0;
+        for (const std::size_t model : search_.likely) {
+            if (model >= bounds.size() || std::isinf(bounds[model])) continue;
+            bounds[model] = kFirstOfAll;
+            ++known;
+        }
+        sort_by(order, bounds);
         // A few likely ones first: the limit that they give spares most others the better part of their work.
-        const std::size_t first = std::min(order.size(), kFirst);
+        const std::size_t first = std::min(order.size(), known < best_.count() ? kFirst : known);
         compare(std::span(order).first(first));
         compare(std::span(order).subspan(first));
         return best_.take();
@@ -98,6 +106,7 @@ class NearestSearch {
 
   private:
     static constexpr std::size_t kFirst = 96;  // 32 to 200 do equally well, and so do more stages
+    static constexpr double kFirstOfAll = -1.0;
 
     /// Of the contours' distances, by model.
     std::vector<double> cheap_bounds(const std::vector<std::size_t>& models) const {

@@ -37,8 +37,11 @@ struct ModelSearch {
     /// A drawing, in one or several readings of which the best counts, or a model in its views. At least one.
     std::span<const core::ComparableShape> readings;
     std::optional<std::size_t> except = {};  ///< this model is passed over
-    int jobs = 1;                            ///< threads; changes no rank
-    std::stop_token stop = {};               ///< once requested, an unfinished answer comes soon
+    /// Models that are likely near, as indices: those of a search for nearly the same drawing. They are compared first,
+    /// which spares the others the better part of their work; the answer is the same whatever they are.
+    std::span<const std::size_t> likely = {};
+    int jobs = 1;               ///< threads; changes no rank
+    std::stop_token stop = {};  ///< once requested, an unfinished answer comes soon
 };
 
 /// All models but the one passed over, nearest first, ties by index: each reading and its mirror image against both

@@ -50,9 +50,7 @@ core::Result<SketchDescription> describe_image(const core::GrayImage& image, con
 
 core::Result<std::vector<core::Silhouette>> readings_of(const core::Sketch& sketch) {
     if (!sketch.drawing) return core::drawing_readings(*sketch.image);
-    core::LiveReadings live;  // the same as drawing_readings, and faster
-    live.follow(*sketch.drawing);
-    return live.readings();
+    return core::LiveReadings().all(*sketch.drawing);  // the same as drawing_readings, and faster
 }
 
 /// The error says which file.

@@ -77,20 +77,18 @@ std::vector<FoundPart> parts_of(const core::Match& match, const SketchDescriptio
 
 SearchAnswer SketchSearcher::search(const core::Drawing& drawing, std::stop_token stop) {
     const Stopwatch watch;
-    live_.follow(drawing);
-    const Readings readings = live_.readings();
+    const Readings readings = live_.all(drawing);
     return find(readings, watch.ms(), stop);
 }
 
+/// What the stroke is about to become counts more now than how else the drawing may be read, and the next answer is due
+/// in a moment: one reading is looked for, in half the time.
 SearchAnswer SketchSearcher::search_unfinished(const core::Drawing& drawing, std::stop_token stop) {
     const Stopwatch watch;
-    live_.follow(drawing);
-    Readings readings = live_.readings();
-    if (readings) {
-        auto closed = unfinished_.look_ahead(drawing, readings->front());
-        if (closed) readings = std::vector{std::move(*closed)};
-    }
-    return find(readings, watch.ms(), stop);
+    core::Result<core::Silhouette> plain = live_.plain(drawing);
+    if (!plain) return find(core::unexpected(plain.error()), watch.ms(), stop);
+    auto closed = unfinished_.look_ahead(drawing, *plain);
+    return find(std::vector{closed ? std::move(*closed) : std::move(*plain)}, watch.ms(), stop);
 }
 
 SearchAnswer SketchSearcher::find(const Readings& silhouettes, double silhouette_ms, const std::stop_token& stop) {
@@ -111,8 +109,10 @@ SearchAnswer SketchSearcher::find(const Readings& silhouettes, double silhouette
     const Stopwatch watch;
     const std::vector<core::ComparableShape> shapes = comparable(*readings);
     const std::vector<RankedModel> ranked =
-        collection_.nearest(shapes, static_cast<std::size_t>(best_count_), jobs_, stop);
+        collection_.nearest(shapes, static_cast<std::size_t>(best_count_), jobs_, stop, likely_);
     if (stop.stop_requested()) return answer;
+    likely_.clear();
+    for (const RankedModel& r : ranked) likely_.push_back(r.model);
     for (const RankedModel& r : ranked) {
         const CollectionModel& model = collection_.models()[r.model];
         const auto view = static_cast<std::size_t>(r.view);

@@ -38,6 +38,7 @@ class SketchSearcher : public Searcher {
     core::Matcher matcher_;
     core::LiveReadings live_;  // follows the drawing from search to search
     core::UnfinishedReading unfinished_;
+    std::vector<std::size_t> likely_;  // what the last search found, as indices into the models
     std::list<std::pair<std::int64_t, std::shared_ptr<const core::TriangleMesh>>> meshes_;  // newest first
 };
 

@@ -45,7 +45,8 @@ class Searcher {
     virtual ~Searcher() = default;
     /// The drawing is never empty. When `stop` is requested the answer is no longer wanted: return soon, with anything.
     virtual SearchAnswer search(const core::Drawing& drawing, std::stop_token stop) = 0;
-    /// The same while the last stroke is still being drawn: may answer for what the drawing is about to become.
+    /// The same while the last stroke is still being drawn: may answer for what the drawing is about to become, and
+    /// with less thought, for the next question follows at once.
     virtual SearchAnswer search_unfinished(const core::Drawing& drawing, std::stop_token stop) {
         return search(drawing, std::move(stop));
     }

@@ -60,6 +60,23 @@ TEST_CASE("the nearest models are the first of all ranked ones, whatever the num
     }
 }
 
+TEST_CASE("models that are thought to be near change no answer, right or wrong", "[search]") {
+    const std::vector<CollectionModel> models = collection(40);
+    const std::vector<core::ComparableShape> drawn{star(200)};
+    const std::vector<RankedModel> all = app::rank_models(models, {.readings = drawn}, RankBy::Fused);
+    const std::vector<std::size_t> nearest{all[0].model, all[1].model, all[2].model, all[3].model, all[4].model};
+    const std::vector<std::size_t> farthest{all[39].model, all[38].model, all[37].model, all[36].model, all[35].model};
+    const std::vector<std::size_t> nonsense{7, 7, 4000, 7, 7};
+    for (const std::vector<std::size_t>& likely : {nearest, farthest, nonsense}) {
+        for (const std::size_t count : {1U, 5U, 12U}) {
+            const ModelSearch search{.readings = drawn, .likely = likely, .jobs = 2};
+            CHECK(same(app::nearest_models(models, search, count), first_of(all, count)));
+        }
+    }
+    const ModelSearch without{.readings = drawn, .except = nearest[0], .likely = nearest};
+    for (const RankedModel& r : app::nearest_models(models, without, 5)) CHECK(r.model != nearest[0]);
+}
+
 TEST_CASE("of several readings the best counts, and is named", "[search]") {
     const std::vector<CollectionModel> models = collection(20);
     const std::vector<core::ComparableShape> drawn{star(300), star(7), star(301)};

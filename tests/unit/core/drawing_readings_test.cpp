@@ -72,10 +72,12 @@ TEST_CASE("a drawing has the same readings at every step of its making", "[readi
     const core::Stroke whole = arc(25, 335);
     for (std::size_t k = 0; k < whole.samples.size(); ++k) {
         drawing.strokes[0].samples.push_back(whole.samples[k]);
-        live.follow(drawing);
+        const auto plain = live.plain(drawing);
         if (k % 10 != 0 && k + 1 != whole.samples.size()) continue;
-        const auto followed = live.readings(), in_one_go = core::drawing_readings(drawing);
+        const auto followed = live.all(drawing), in_one_go = core::drawing_readings(drawing);
         REQUIRE(followed.has_value() == in_one_go.has_value());
+        REQUIRE(plain.has_value() == in_one_go.has_value());
+        if (plain) CHECK((plain->image.pixels == in_one_go->front().image.pixels));
         if (!followed) continue;
         REQUIRE(followed->size() == in_one_go->size());
         for (std::size_t r = 0; r < followed->size(); ++r) {

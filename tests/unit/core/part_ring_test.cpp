@@ -245,10 +245,11 @@ TEST_CASE("there is one opened ring a stop point, with steps between all parts t
                 for (std::size_t g = 0; g + 1 < open.steps_from.size(); ++g) {
                     for (int s = open.steps_from[g]; s < open.steps_from[g + 1]; ++s) {
                         const core::OpenedRing::Step& step = open.steps[static_cast<std::size_t>(s)];
-                        const int to = open.members[static_cast<std::size_t>(step.to)].part;
-                        for (std::size_t lane = 0; lane < core::kLanes; ++lane) {
+                        const int member = open.steps_to[static_cast<std::size_t>(s)];
+                        const int to = open.members[static_cast<std::size_t>(member)].part;
+                        for (std::size_t lane = 0; lane < core::kWideLanes; ++lane) {
                             if (!std::isfinite(step.d_e[lane])) continue;
-                            const int from = open.members[g * core::kLanes + lane].part;
+                            const int from = open.members[g * core::kWideLanes + lane].part;
                             found.emplace(from, to);
                             const core::InterDistance& d =
                                 ring->between(static_cast<std::size_t>(from), static_cast<std::size_t>(to));

@@ -11,6 +11,8 @@
 
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 core::ComparableShape shape_of(const core::Polygon& contour) {
     const auto readings = core::read_outline(contour);
     REQUIRE(readings);
@@ -45,9 +47,10 @@ TEST_CASE("the bound of the parts never exceeds their distance", "[fusion]") {
         const core::PartsBound bound(a.parts);
         for (const core::ComparableShape& b : all) {
             const double distance = matcher.distance(a.parts, b.parts);
-            CHECK_FALSE(bound.is_at_least(b.parts, 1.001 * distance + 1e-3));
+            const core::Ways open = bound.open_ways(b.parts, 1.001 * distance + 1e-3);
+            CHECK(matcher.distance(a.parts, b.parts, kInfinity, open) == distance);
             ++pairs;
-            if (bound.is_at_least(b.parts, 0.2 * distance)) ++told;
+            if (bound.open_ways(b.parts, 0.2 * distance).none()) ++told;
         }
     }
 #if defined(__SSE2__)
@@ -62,9 +65,11 @@ TEST_CASE("the bound of the parts is the same for a mirror image", "[fusion]") {
         const core::PartsBound bound(shape_of(uneven_star(n)).parts);
         core::ComparableShape other = shape_of(support::horse());
         for (const double distance : {5.0, 10.0, 15.0, 20.0, 30.0, 45.0}) {
-            const bool told = bound.is_at_least(other.parts, distance);
+            const core::Ways open = bound.open_ways(other.parts, distance);
             std::swap(other.parts.forwards, other.parts.backwards);
-            CHECK(bound.is_at_least(other.parts, distance) == told);
+            const core::Ways turned = bound.open_ways(other.parts, distance);
+            CHECK(turned.along == open.against);
+            CHECK(turned.against == open.along);
         }
     }
 }
@@ -72,8 +77,10 @@ TEST_CASE("the bound of the parts is the same for a mirror image", "[fusion]") {
 TEST_CASE("the bound of the parts tells nothing where nothing can be told", "[fusion]") {
     const core::ComparableShape horse = shape_of(support::horse()), disc = shape_of(support::disc(60, 10));
     const core::PartsBound bound(horse.parts);
-    CHECK_FALSE(bound.is_at_least(horse.parts, 1e-6));
-    CHECK_FALSE(bound.is_at_least(disc.parts, std::numeric_limits<double>::infinity()));
+    CHECK(bound.open_ways(horse.parts, 1e-6).along);
+    const core::Ways open = bound.open_ways(disc.parts, kInfinity);
+    CHECK(open.along);
+    CHECK(open.against);
 }
 
 TEST_CASE("a bound changes no fused distance below the limit", "[fusion]") {
