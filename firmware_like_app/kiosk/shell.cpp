@@ -425,7 +425,8 @@ bool Shell::changed(std::int64_t now_us) const {
     return mode_has_input() && find_.changed(now_us);
 }
 
-void Shell::draw(std::int64_t now_us, bool flip) {
+void Shell::draw(std::int64_t now_us, bool flip, bool kept) {
+    const bool work_goes_on = kept && shown_ && shown_->scene == Scene::Work;
     shown_ = shown_at(now_us);
     switch (scene_) {
         case Scene::Attract:
@@ -458,7 +459,11 @@ void Shell::draw(std::int64_t now_us, bool flip) {
             painter_.paint(detail_.draw(std::get<ui::DetailState>(shown_->state)), screen_, flip);
             break;
         default:
-            find_.draw(now_us, flip);
+            if (work_goes_on) {
+                find_.draw_changes(now_us, flip);
+            } else {
+                find_.draw(now_us, flip);
+            }
             break;
     }
 }

@@ -55,8 +55,11 @@ class Shell {
     /// Once a frame.
     void update(std::int64_t now_us);
     int update_ink();
+    /// See FindMode::use_spare_time.
+    void use_spare_time() { find_.use_spare_time(); }
     [[nodiscard]] bool changed(std::int64_t now_us) const;
-    void draw(std::int64_t now_us, bool flip);
+    /// `kept`: what is bound still holds the frame that was drawn last, so that only changes need be drawn.
+    void draw(std::int64_t now_us, bool flip, bool kept = false);
 
     void set_collection(CollectionState state, const CollectionProgress& progress, std::int64_t now_us);
     void set_tablet(bool there, std::int64_t now_us);

@@ -118,10 +118,8 @@ class Drawer {
         }
         const Rect& inked = state_.inked;
         if (inked.width > 0 && inked.height > 0) {
-            list_.tinted(state_.ink, {inked.x + l_.drawing.x, inked.y + l_.drawing.y, inked.width, inked.height},
-                         palette::kInk,
-                         {inked.x / l_.drawing.width, inked.y / l_.drawing.height, inked.width / l_.drawing.width,
-                          inked.height / l_.drawing.height});
+            list_.tinted(state_.ink, l_.drawing, palette::kInk,
+                         {inked.x + l_.drawing.x, inked.y + l_.drawing.y, inked.width, inked.height});
         }
         for (const DetailTag& t : state_.drawing_tags) tag(t, kDrawingTag_px, true);
     }
