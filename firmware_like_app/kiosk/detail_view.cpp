@@ -17,7 +17,6 @@ constexpr ui::PictureId kModel{100}, kInk{101};
 constexpr int kFirstWash = 110, kFirstSimilar = 130;
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kGreeting = 24 * kDegree, kRaised = 12 * kDegree;
-constexpr double kIdleTurn = 8 * kDegree;  // a second
 constexpr double kLeastElevation = -10 * kDegree, kMostElevation = 75 * kDegree;
 constexpr double kLeastZoom = 0.6, kMostZoom = 4, kZoomStep = 1.3;
 constexpr std::int64_t kSlowFrame_us = 26'000;
@@ -121,7 +120,7 @@ void DetailView::open(std::shared_ptr<const PreparedAnswer> answer, std::size_t 
 
 void DetailView::show(std::size_t index, std::int64_t now_us, ui::Painter& painter) {
     index_ = index;
-    opened_us_ = touched_us_ = last_us_ = now_us;
+    opened_us_ = last_us_ = now_us;
     azimuth_ = 0;
     elevation_ = 0;
     zoom_ = 1;
@@ -259,7 +258,6 @@ void DetailView::zoom_by(double factor) {
 std::optional<ui::Control> DetailView::pointer(const ui::WindowEvent& event, ui::Painter& painter) {
     using Kind = ui::WindowEvent::Kind;
     if (!is_open()) return std::nullopt;
-    if (event.kind != Kind::Move || turning_) touched_us_ = event.time_us;
     switch (event.kind) {
         case Kind::Zoom:
             touched_ = true;
@@ -325,7 +323,6 @@ void DetailView::settle(std::int64_t now_us) {
 
 void DetailView::update(std::int64_t now_us) {
     if (!is_open()) return;
-    const double passed_s = static_cast<double>(std::clamp<std::int64_t>(now_us - last_us_, 0, 100'000)) / 1e6;
     if (drew_last_) slow_frames_ = std::clamp(slow_frames_ + (now_us - last_us_ > kSlowFrame_us ? 1 : -1), 0, 12);
     last_us_ = now_us;
     if (!touched_) {
@@ -334,11 +331,6 @@ void DetailView::update(std::int64_t now_us) {
         const double t = std::clamp(static_cast<double>(age_us) / static_cast<double>(kGreeting_us), 0.0, 1.0);
         azimuth_ = kGreeting * (1 - std::cos(2 * std::numbers::pi * t)) / 2;
         elevation_ = kRaised * opened(now_us);
-        if (age_us < kGreeting_us) touched_us_ = now_us;
-    }
-    if (!turning_ && now_us - touched_us_ >= kIdle_us) {
-        touched_ = true;
-        azimuth_ += kIdleTurn * passed_s;
     }
     azimuth_ = std::remainder(azimuth_, 2 * std::numbers::pi);
     const ui::StageView now = view();

@@ -20,7 +20,7 @@ class DetailView {
   public:
     /// `drafts`: where frames come slowly, draw the moving model with fewer pixels.
     void allow_drafts(bool drafts) { drafts_allowed_ = drafts; }
-    static constexpr std::int64_t kOpen_us = 320'000, kGreeting_us = 4'000'000, kIdle_us = 15'000'000;
+    static constexpr std::int64_t kOpen_us = 320'000, kGreeting_us = 4'000'000;
 
     [[nodiscard]] static core::Result<DetailView> create(const ui::FontSet& fonts,
                                                          const std::vector<ui::Strings>& languages);
@@ -91,7 +91,7 @@ class DetailView {
     double wide_ = 1, tall_ = 1;                             // units
 
     ui::Rect from_;
-    std::int64_t opened_us_ = 0, touched_us_ = 0, last_us_ = 0;
+    std::int64_t opened_us_ = 0, last_us_ = 0;
     double azimuth_ = 0, elevation_ = 0, zoom_ = 1;
     bool touched_ = false, turning_ = false, drafts_allowed_ = false;
     core::Point grip_;

@@ -535,10 +535,12 @@ void FindMode::draw(std::int64_t now_us, bool flip) {
     draw_changes(now_us, flip);
 }
 
-void FindMode::draw_changes(std::int64_t now_us, bool flip) {
+void FindMode::draw_changes(std::int64_t now_us, bool flip, const ui::DrawList& over) {
     shown_ = shown_at(now_us);
     painter_.picture_changed(kInkPicture, ink_layer_.take_changed());
-    painter_.paint_changes(screen_.draw(shown_->state, layout_), layout_.screen, flip);
+    ui::DrawList list = screen_.draw(shown_->state, layout_);
+    list.commands.insert(list.commands.end(), over.commands.begin(), over.commands.end());
+    painter_.paint_changes(std::move(list), layout_.screen, flip);
 }
 
 }  // namespace app

@@ -68,7 +68,10 @@ class FindMode final : public Mode {
     /// The frame into whatever is bound; `flip` for windows.
     void draw(std::int64_t now_us, bool flip) override;
     /// The same pixels, where what is bound still holds the frame that was drawn last: only what changed is drawn.
-    void draw_changes(std::int64_t now_us, bool flip);
+    /// `over`: commands without pictures that lie over the frame.
+    void draw_changes(std::int64_t now_us, bool flip, const ui::DrawList& over = {});
+    /// What is bound to be drawn into no longer holds the frame that was drawn last.
+    void forget_frame() { painter_.forget_frame(); }
     /// Draws new samples into the ink layer (before the frame is bound). Returns the number of pieces drawn.
     int update_ink() override;
 

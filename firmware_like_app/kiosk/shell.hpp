@@ -94,6 +94,9 @@ class Shell {
     void release(const ui::WindowEvent& event);
     void act(const ui::Intent& intent, std::int64_t now_us);
     void watch_corner(const ui::WindowEvent& event);
+    void draw_own(ui::DrawList list, bool flip, bool kept);
+    void draw_find(std::int64_t now_us, bool flip, bool kept, const ui::DrawList& over = {});
+    void draw_still_there(const ui::StillThereState& state, std::int64_t now_us, bool flip, bool kept);
     [[nodiscard]] bool mode_has_input() const;
     [[nodiscard]] ui::Rect corner() const;
     [[nodiscard]] ui::Notice notice() const;
@@ -139,6 +142,7 @@ class Shell {
     std::uint64_t wipes_ = 0;
     CollectionProgress progress_;
     std::optional<Shown> shown_;
+    enum class Drawn { Nothing, Own, Find } drawn_ = Drawn::Nothing;  // whose painter knows what the last frame holds
 };
 
 }  // namespace app

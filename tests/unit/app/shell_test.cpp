@@ -226,7 +226,10 @@ TEST_CASE("a picture that is kept from frame to frame is right through all scene
         const auto seen = kept.read_back().pixels;
         CHECK(seen == kiosk.picture().pixels);
     };
-    look();
+    for (int i = 0; i < 7; ++i) {  // the line, and its form
+        look();
+        kiosk.wait(0.9);
+    }
     kiosk.shell->open_sheet(kiosk.now_us);
     look();
     kiosk.stroke(800, 300, 1000, 400);
@@ -235,6 +238,17 @@ TEST_CASE("a picture that is kept from frame to frame is right through all scene
     look();
     kiosk.tap(kiosk.find->layout().cards[0]);
     kiosk.wait(0.1);
+    REQUIRE(kiosk.scene() == Scene::Detail);
+    for (int i = 0; i < 3; ++i) {  // it opens and turns
+        look();
+        kiosk.wait(0.3);
+    }
+    kiosk.wait(65);
+    REQUIRE(kiosk.scene() == Scene::StillThere);
+    look();
+    kiosk.wait(1);
+    look();
+    kiosk.tap(kiosk.shell->detail().layout().sheet.right() - 20, 20);
     REQUIRE(kiosk.scene() == Scene::Detail);
     look();
     kiosk.tap(kiosk.shell->detail().layout().back);
@@ -247,5 +261,13 @@ TEST_CASE("a picture that is kept from frame to frame is right through all scene
     look();
     kiosk.wait(100);
     REQUIRE(kiosk.scene() == Scene::Attract);
+    look();
+    kiosk.event(Kind::Down, 20, 20);
+    kiosk.wait(3.2);
+    kiosk.event(Kind::Up, 20, 20);
+    look();
+    kiosk.type("000000");
+    look();
+    kiosk.wait(1);
     look();
 }
