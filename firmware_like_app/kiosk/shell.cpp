@@ -61,7 +61,7 @@ Shell::Shell(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages
       pin_screen_(fonts, languages),
       pin_lock_(options.pin),
       desk_(fonts, languages, station_setup(options, [this](const Config& config) { take_settings(config); })) {
-    detail_.allow_drafts(options.every_frame_seen);
+    detail_.set_frames_are_seen(options.every_frame_seen);
     go_on(now_us);
     entered(now_us);
 }
@@ -341,6 +341,11 @@ void Shell::update(std::int64_t now_us) {
     find_.update(now_us);
     if (scene_ == Scene::Detail) detail_.update(now_us);
     if (scene_ == Scene::Attract) attract_->update(now_us, !options_.every_frame_seen, painter_);
+}
+
+void Shell::use_spare_time() {
+    find_.use_spare_time();
+    if (scene_ == Scene::Detail) detail_.use_spare_time(painter_);
 }
 
 int Shell::update_ink() {

@@ -56,7 +56,7 @@ class Shell {
     void update(std::int64_t now_us);
     int update_ink();
     /// See FindMode::use_spare_time.
-    void use_spare_time() { find_.use_spare_time(); }
+    void use_spare_time();
     [[nodiscard]] bool changed(std::int64_t now_us) const;
     /// `kept`: what is bound still holds the frame that was drawn last, so that only changes need be drawn.
     void draw(std::int64_t now_us, bool flip, bool kept = false);

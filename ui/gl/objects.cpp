@@ -163,12 +163,12 @@ void Target::bind() const {
     glViewport(0, 0, size().width, size().height);
 }
 
-void Target::resolve() const {
+void Target::resolve(int x, int y, SizePx part) const {
     if (sampled_frame_.get() == 0) return;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_frame_.get());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_.get());
-    glBlitFramebuffer(0, 0, size().width, size().height, 0, 0, size().width, size().height, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
+    const int right = x + part.width, bottom = y + part.height;
+    glBlitFramebuffer(x, y, right, bottom, x, y, right, bottom, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 core::RgbaImage Target::read_back() const {

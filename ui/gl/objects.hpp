@@ -86,7 +86,9 @@ class Target {
     /// Directs drawing here and sets the viewport to the whole of it.
     void bind() const;
     /// Makes texture() show what was drawn. Nothing to do without multisampling.
-    void resolve() const;
+    void resolve() const { resolve(0, 0, size()); }
+    /// Of this part of it alone.
+    void resolve(int x, int y, SizePx part) const;
     [[nodiscard]] const Texture& texture() const { return texture_; }
     /// The texture as it is; an empty one of the same size takes its place, and the other buffers stay.
     [[nodiscard]] Texture take_texture();

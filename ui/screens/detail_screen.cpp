@@ -135,7 +135,8 @@ class Drawer {
             const double text = s_.px(40), inset = s_.px(6);
             list_.picture(state_.similar[i].picture,
                           {r.x + inset, r.y + inset, r.width - 2 * inset, r.height - text - inset});
-            const double y = state_.similar[i].picture == PictureId{} ? r.centre_y() : r.bottom() - s_.px(17);
+            const bool alone = state_.similar[i].picture == PictureId{} && !state_.similar[i].to_come;
+            const double y = alone ? r.centre_y() : r.bottom() - s_.px(17);
             list_.text(fonts_, fonts_.cut(state_.similar[i].name, name, r.width - s_.px(12)), name, palette::kInk,
                        r.centre_x(), y, Align::Centre);
         }
