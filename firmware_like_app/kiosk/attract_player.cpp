@@ -88,6 +88,7 @@ void AttractPlayer::begin_drawing(std::int64_t now_us) {
     stroke_ = sample_ = 0;
     ++epoch_;
     asked_ = answered_ = has_form_ = false;
+    pictures_told_ = false;
     form_since_us_.reset();
     if (!drawings_.empty()) frame_ = fit_drawing(drawings_[drawing_].drawing, stage_.width, stage_.height, kMargin);
 }
@@ -128,6 +129,7 @@ void AttractPlayer::update(std::int64_t now_us, bool wait, ui::Painter& painter)
         }
     }
     if (has_form_ && !form_since_us_ && age_us >= kDraw_us) form_since_us_ = now_us;
+    if (std::exchange(pictures_told_, true)) return;
     painter.set_picture(kInk, &ink_layer_.texture());
     painter.set_picture(kForm, has_form_ ? &model_.texture() : nullptr);
 }
@@ -158,6 +160,7 @@ void AttractPlayer::take_form(SearchAnswer answer) {
     form_box_ = {view.centre_px.x + (middle - plane_width / 2) * view.scale_px,
                  bottom_px - plane_height * view.scale_px, plane_width * view.scale_px, plane_height * view.scale_px};
     has_form_ = true;
+    pictures_told_ = false;
 }
 
 ui::InkLayer::Ink AttractPlayer::ink() const {
@@ -167,6 +170,10 @@ ui::InkLayer::Ink AttractPlayer::ink() const {
 
 int AttractPlayer::update_ink() {
     return ink_layer_.update(ink());
+}
+
+void AttractPlayer::tell_changes(ui::Painter& painter) {
+    painter.picture_changed(kInk, ink_layer_.take_changed());
 }
 
 void AttractPlayer::fill(ui::AttractState& state, std::int64_t now_us) const {

@@ -35,6 +35,8 @@ class AttractPlayer {
     void fill(ui::AttractState& state, std::int64_t now_us) const;
     /// Draws new samples into the ink. Returns the pieces drawn.
     int update_ink();
+    /// Names to the painter what of its pictures changed since the last frame.
+    void tell_changes(ui::Painter& painter);
     /// Gives back what only this picture needs.
     void stop(ui::Painter& painter);
     /// The drawing on show.
@@ -60,6 +62,7 @@ class AttractPlayer {
     std::size_t stroke_ = 0, sample_ = 0;  // the next to draw
     std::uint64_t epoch_ = 0, revision_ = 0, ticket_ = 0;
     bool asked_ = false, answered_ = false;
+    bool pictures_told_ = false;  // which textures they are
     ui::InkFrame frame_;
     std::optional<std::int64_t> form_since_us_;
     bool has_form_ = false;

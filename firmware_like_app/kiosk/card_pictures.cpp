@@ -54,6 +54,7 @@ std::string readable_name(std::string name) {
 core::Result<CardPictures> CardPictures::create() {
     core::Result<ui::ModelPainter> painter = ui::ModelPainter::create();
     if (!painter) return core::unexpected(painter.error());
+    painter->warm_up();
     return CardPictures(std::move(*painter));
 }
 

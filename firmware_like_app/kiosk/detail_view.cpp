@@ -17,10 +17,10 @@ constexpr ui::PictureId kModel{100}, kInk{101};
 constexpr int kFirstWash = 110, kFirstSimilar = 130;
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kGreeting = 24 * kDegree, kRaised = 12 * kDegree;
-constexpr double kIdleTurn = 8 * kDegree;  // a second
 constexpr double kLeastElevation = -10 * kDegree, kMostElevation = 75 * kDegree;
 constexpr double kLeastZoom = 0.6, kMostZoom = 4, kZoomStep = 1.3;
 constexpr std::int64_t kSlowFrame_us = 26'000;
+constexpr int kSlowEnough = 2;
 constexpr double kDraft = 0.5;
 constexpr double kDrawingMargin = 0.11;
 
@@ -121,7 +121,7 @@ void DetailView::open(std::shared_ptr<const PreparedAnswer> answer, std::size_t 
 
 void DetailView::show(std::size_t index, std::int64_t now_us, ui::Painter& painter) {
     index_ = index;
-    opened_us_ = touched_us_ = last_us_ = now_us;
+    opened_us_ = last_us_ = now_us;
     azimuth_ = 0;
     elevation_ = 0;
     zoom_ = 1;
@@ -133,7 +133,9 @@ void DetailView::show(std::size_t index, std::int64_t now_us, ui::Painter& paint
     covered_.clear();
     const FoundModel& model = found();
     if (model.mesh && !model.mesh->empty()) {
-        surface_ = ui::make_model_geometry(*model.mesh);
+        // its card has been on the screen, so that most often this is made already
+        const bool made = index_ < cards_.size() && cards_[index_] != nullptr;
+        surface_ = made ? *cards_[index_]->geometry : ui::make_model_geometry(*model.mesh);
         lifted_ = ui::lift_parts(surface_, model.camera, regions_of(model));
         stage_.set_model(lifted_.geometry, ui::find_ground_contacts(lifted_.geometry, model.camera.up));
     } else {
@@ -209,7 +211,12 @@ void DetailView::make_similar(ui::Painter& painter) {
     for (std::size_t i = 0; i < ui::kSimilarCount; ++i) painter.set_picture(similar_id(i), nullptr);
     similar_pictures_.clear();
     similar_pictures_.reserve(similar_.size());
-    for (std::size_t i = 0; i < similar_.size(); ++i) {
+    if (!frames_are_seen_) paint_similar(similar_.size(), painter);
+}
+
+void DetailView::paint_similar(std::size_t count, ui::Painter& painter) {
+    for (; count > 0 && similar_pictures_.size() < similar_.size(); --count) {
+        const std::size_t i = similar_pictures_.size();
         const auto& card = cards_[similar_[i]];
         ui::ModelPictureOptions options;
         const ui::Rect& r = layout_.similar[i];
@@ -259,7 +266,6 @@ void DetailView::zoom_by(double factor) {
 std::optional<ui::Control> DetailView::pointer(const ui::WindowEvent& event, ui::Painter& painter) {
     using Kind = ui::WindowEvent::Kind;
     if (!is_open()) return std::nullopt;
-    if (event.kind != Kind::Move || turning_) touched_us_ = event.time_us;
     switch (event.kind) {
         case Kind::Zoom:
             touched_ = true;
@@ -325,8 +331,9 @@ void DetailView::settle(std::int64_t now_us) {
 
 void DetailView::update(std::int64_t now_us) {
     if (!is_open()) return;
-    const double passed_s = static_cast<double>(std::clamp<std::int64_t>(now_us - last_us_, 0, 100'000)) / 1e6;
-    if (drew_last_) slow_frames_ = std::clamp(slow_frames_ + (now_us - last_us_ > kSlowFrame_us ? 1 : -1), 0, 12);
+    // drafts tell nothing of whether whole pictures would be fast enough: only those that were whole count
+    if (drew_last_ && !draft_)
+        slow_frames_ = std::clamp(slow_frames_ + (now_us - last_us_ > kSlowFrame_us ? 1 : -1), 0, 4);
     last_us_ = now_us;
     if (!touched_) {
         // the greeting: once to the side and back, while the view rises to where the ground is seen
@@ -334,11 +341,6 @@ void DetailView::update(std::int64_t now_us) {
         const double t = std::clamp(static_cast<double>(age_us) / static_cast<double>(kGreeting_us), 0.0, 1.0);
         azimuth_ = kGreeting * (1 - std::cos(2 * std::numbers::pi * t)) / 2;
         elevation_ = kRaised * opened(now_us);
-        if (age_us < kGreeting_us) touched_us_ = now_us;
-    }
-    if (!turning_ && now_us - touched_us_ >= kIdle_us) {
-        touched_ = true;
-        azimuth_ += kIdleTurn * passed_s;
     }
     azimuth_ = std::remainder(azimuth_, 2 * std::numbers::pi);
     const ui::StageView now = view();
@@ -354,9 +356,9 @@ void DetailView::update(std::int64_t now_us) {
 void DetailView::draw_model(ui::Painter& painter) {
     if (!is_open() || !view_) return;
     const bool moved = !drawn_view_ || !(*drawn_view_ == *view_);
-    drew_last_ = moved;
-    if (!moved && !draft_) return;
-    draft_ = moved && drafts_allowed_ && slow_frames_ >= 4;
+    drew_last_ = moved || draft_;
+    if (!drew_last_) return;
+    draft_ = moved && frames_are_seen_ && slow_frames_ >= kSlowEnough;
     drawn_view_ = view_;
     ui::StageView drawn = *view_;
     ui::Rect stage = layout_.stage;
@@ -366,7 +368,11 @@ void DetailView::draw_model(ui::Painter& painter) {
         stage = {0, 0, stage.width * kDraft, stage.height * kDraft};
     }
     stage_.draw(drawn, whole(stage));
-    painter.set_picture(kModel, &stage_.texture());
+    if (stage_.changed().width > 0) {
+        painter.picture_changed(kModel, stage_.changed());
+    } else {
+        painter.set_picture(kModel, &stage_.texture());
+    }
 }
 
 ui::StageView DetailView::view() const {
@@ -459,7 +465,9 @@ ui::DetailState DetailView::state(std::size_t language, std::int64_t now_us) con
     s.model_tags = model_tags();
     for (std::size_t i = 0; i < similar_.size(); ++i) {
         const FoundModel& model = answer_->answer.best[similar_[i]];
-        s.similar.push_back({readable_name(model.name), cards_[similar_[i]] ? similar_id(i) : ui::PictureId{}});
+        const bool pictured = cards_[similar_[i]] != nullptr && i < similar_pictures_.size();
+        const bool to_come = cards_[similar_[i]] != nullptr && !pictured;
+        s.similar.push_back({readable_name(model.name), pictured ? similar_id(i) : ui::PictureId{}, to_come});
     }
     s.azimuth = found().mirrored ? -azimuth_ : azimuth_;
     s.elevation = elevation_;

@@ -18,9 +18,12 @@ namespace app {
 
 class DetailView {
   public:
-    /// `drafts`: where frames come slowly, draw the moving model with fewer pixels.
-    void allow_drafts(bool drafts) { drafts_allowed_ = drafts; }
-    static constexpr std::int64_t kOpen_us = 320'000, kGreeting_us = 4'000'000, kIdle_us = 15'000'000;
+    /// Where every frame is seen: the moving model is drawn with fewer pixels when frames come slowly, and pictures of
+    /// similar models come one by one (use_spare_time). Else all is as it will be at once.
+    void set_frames_are_seen(bool seen) { frames_are_seen_ = seen; }
+    /// Paints one picture that is wanted; see FindMode::use_spare_time.
+    void use_spare_time(ui::Painter& painter) { paint_similar(1, painter); }
+    static constexpr std::int64_t kOpen_us = 320'000, kGreeting_us = 4'000'000;
 
     [[nodiscard]] static core::Result<DetailView> create(const ui::FontSet& fonts,
                                                          const std::vector<ui::Strings>& languages);
@@ -60,6 +63,7 @@ class DetailView {
     void lay_out(ui::Painter& painter);
     void make_drawing(ui::Painter& painter);
     void make_similar(ui::Painter& painter);
+    void paint_similar(std::size_t count, ui::Painter& painter);
     void act(const ui::Intent& intent, std::int64_t now_us, ui::Painter& painter);
     void set_focus(std::optional<int> focus);
     void zoom_by(double factor);
@@ -91,9 +95,9 @@ class DetailView {
     double wide_ = 1, tall_ = 1;                             // units
 
     ui::Rect from_;
-    std::int64_t opened_us_ = 0, touched_us_ = 0, last_us_ = 0;
+    std::int64_t opened_us_ = 0, last_us_ = 0;
     double azimuth_ = 0, elevation_ = 0, zoom_ = 1;
-    bool touched_ = false, turning_ = false, drafts_allowed_ = false;
+    bool touched_ = false, turning_ = false, frames_are_seen_ = false;
     core::Point grip_;
     ui::BoardTouch touch_;
     std::optional<int> focus_;

@@ -417,7 +417,7 @@ void FindMode::update(std::int64_t now_us) {
         if (auto answer = worker_->take()) accept(std::move(*answer));
     }
     change_cards(now_us);
-    pictures_.paint(1, layout_, painter_);
+    if (!options_.spare_time) use_spare_time();
     if (auto faces = pictures_.take_finished()) rail_.set(std::move(*faces));
     rail_.update(now_us, frozen_cards());
     pictures_.keep_only_shown(rail_, painter_);
@@ -428,6 +428,10 @@ void FindMode::update(std::int64_t now_us) {
     }
     const bool resting = pen_ == Pen::Up && now_us - pen_up_us_ >= kWashRest_us;
     if (resting && !wash_since_us_ && wash_is_current() && !wash_.empty()) wash_since_us_ = now_us;
+}
+
+void FindMode::use_spare_time() {
+    pictures_.paint(1, layout_, painter_);
 }
 
 void FindMode::search_and_wait() {
@@ -533,8 +537,16 @@ bool FindMode::changed(std::int64_t now_us) const {
 }
 
 void FindMode::draw(std::int64_t now_us, bool flip) {
+    painter_.forget_frame();
+    draw_changes(now_us, flip);
+}
+
+void FindMode::draw_changes(std::int64_t now_us, bool flip, const ui::DrawList& over) {
     shown_ = shown_at(now_us);
-    painter_.paint(screen_.draw(shown_->state, layout_), layout_.screen, flip);
+    painter_.picture_changed(kInkPicture, ink_layer_.take_changed());
+    ui::DrawList list = screen_.draw(shown_->state, layout_);
+    list.commands.insert(list.commands.end(), over.commands.begin(), over.commands.end());
+    painter_.paint_changes(std::move(list), layout_.screen, flip);
 }
 
 }  // namespace app

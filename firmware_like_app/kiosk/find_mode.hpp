@@ -28,6 +28,7 @@ struct FindOptions {
     std::string board_key = "hint_board";  ///< of the words on the board while it shows no cards
     bool search_while_drawing = true;      ///< after every frame that brought samples; false: only after strokes
     bool every_frame_seen = true;          ///< false: cards and wash are made when settle() asks for them
+    bool spare_time = false;               ///< true: card pictures are painted in use_spare_time() alone
 };
 
 class FindMode final : public Mode {
@@ -55,6 +56,9 @@ class FindMode final : public Mode {
 
     /// Once a frame: searches when due, takes answers, paints a few card pictures, moves what fades.
     void update(std::int64_t now_us) override;
+    /// Paints one card picture that is wanted. To be called when a frame is on its way to the screen, before the pen is
+    /// read for the next: what is done here keeps no ink waiting. See FindOptions::spare_time.
+    void use_spare_time();
     /// Searches the sheet as it is and waits until its answer is on the cards.
     void search_and_wait();
     /// Ends all fades; with `resting` the wash is shown as when the pen rests.
@@ -63,6 +67,11 @@ class FindMode final : public Mode {
     [[nodiscard]] bool changed(std::int64_t now_us) const override;
     /// The frame into whatever is bound; `flip` for windows.
     void draw(std::int64_t now_us, bool flip) override;
+    /// The same pixels, where what is bound still holds the frame that was drawn last: only what changed is drawn.
+    /// `over`: commands without pictures that lie over the frame.
+    void draw_changes(std::int64_t now_us, bool flip, const ui::DrawList& over = {});
+    /// What is bound to be drawn into no longer holds the frame that was drawn last.
+    void forget_frame() { painter_.forget_frame(); }
     /// Draws new samples into the ink layer (before the frame is bound). Returns the number of pieces drawn.
     int update_ink() override;
 

@@ -69,7 +69,7 @@ class Loop {
                 draw_frame();
                 frame_due_ = false;
             }
-            surface_.next_frame(drawn);
+            surface_.next_frame(drawn, [this] { shell_.use_spare_time(); });
             if (player_.ended() && (options_.headless || (options_.end_after_replays && !replays_.empty()))) break;
         }
         if (!options_.headless) record();
@@ -288,7 +288,7 @@ class Loop {
     void draw_frame() {
         const auto start = std::chrono::steady_clock::now();
         const bool flip = surface_.bind();
-        shell_.draw(surface_.now_us(), flip);
+        shell_.draw(surface_.now_us(), flip, surface_.kept());
         const double ms = ms_since(start);
         report_.worst_frame_ms = std::max(report_.worst_frame_ms, ms);
         worst_today_ms_ = std::max(worst_today_ms_, ms);
@@ -386,6 +386,7 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost&
     find_options.hand = options.hand;
     find_options.every_frame_seen = !options.headless;
     find_options.search_while_drawing = !options.headless;
+    find_options.spare_time = true;
     core::Result<std::unique_ptr<FindMode>> find =
         FindMode::create(*fonts, *languages, &collection.searcher(), find_options, (*surface)->size());
     if (!find) return core::unexpected(find.error());

@@ -61,7 +61,7 @@ Shell::Shell(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages
       pin_screen_(fonts, languages),
       pin_lock_(options.pin),
       desk_(fonts, languages, station_setup(options, [this](const Config& config) { take_settings(config); })) {
-    detail_.allow_drafts(options.every_frame_seen);
+    detail_.set_frames_are_seen(options.every_frame_seen);
     find_.offer_garment(garment_offered());
     go_on(now_us);
     entered(now_us);
@@ -382,6 +382,11 @@ void Shell::update(std::int64_t now_us) {
     if (scene_ == Scene::Attract) attract_->update(now_us, !options_.every_frame_seen, painter_);
 }
 
+void Shell::use_spare_time() {
+    find_.use_spare_time();
+    if (scene_ == Scene::Detail) detail_.use_spare_time(painter_);
+}
+
 int Shell::update_ink() {
     if (scene_ == Scene::Detail) detail_.draw_model(painter_);
     return scene_ == Scene::Attract ? attract_->update_ink() : mode().update_ink();
@@ -465,40 +470,64 @@ bool Shell::changed(std::int64_t now_us) const {
     return mode_has_input() && mode().changed(now_us);
 }
 
-void Shell::draw(std::int64_t now_us, bool flip) {
+/// A frame of the shell's own, or what changed in it.
+void Shell::draw_own(ui::DrawList list, bool flip, bool kept) {
+    if (!kept || drawn_ != Drawn::Own) painter_.forget_frame();
+    drawn_ = Drawn::Own;
+    painter_.paint_changes(std::move(list), screen_, flip);
+}
+
+/// What changed in the sheet of Find; any other mode whole, and what lies over it.
+void Shell::draw_mode(std::int64_t now_us, bool flip, bool kept, const ui::DrawList& over) {
+    if (&mode() != &find_) {
+        drawn_ = Drawn::Nothing;
+        mode().draw(now_us, flip);
+        if (!over.commands.empty()) painter_.paint(over, screen_, flip);
+        return;
+    }
+    if (!kept || drawn_ != Drawn::Find) find_.forget_frame();
+    drawn_ = Drawn::Find;
+    find_.draw_changes(now_us, flip, over);
+}
+
+void Shell::draw_still_there(const ui::StillThereState& state, std::int64_t now_us, bool flip, bool kept) {
+    const ui::DrawList over = still_screen_.draw(state, screen_);
+    if (station_.behind() != Scene::Detail) return draw_mode(now_us, flip, kept, over);
+    ui::DrawList list = detail_.draw(detail_.state(mode().language(), now_us));
+    list.commands.insert(list.commands.end(), over.commands.begin(), over.commands.end());
+    draw_own(std::move(list), flip, kept);
+}
+
+void Shell::draw(std::int64_t now_us, bool flip, bool kept) {
     shown_ = shown_at(now_us);
+    const SceneState& state = shown_->state;
     switch (scene_) {
         case Scene::Attract:
-            painter_.paint(attract_screen_.draw(std::get<ui::AttractState>(shown_->state), screen_), screen_, flip);
+            attract_->tell_changes(painter_);
+            draw_own(attract_screen_.draw(std::get<ui::AttractState>(state), screen_), flip, kept);
             break;
         case Scene::Notice:
-            painter_.paint(notice_screen_.draw(std::get<ui::NoticeState>(shown_->state), find_.layout()), screen_,
-                           flip);
+            draw_own(notice_screen_.draw(std::get<ui::NoticeState>(state), find_.layout()), flip, kept);
             break;
         case Scene::StillThere:
-            if (station_.behind() == Scene::Detail) {
-                painter_.paint(detail_.draw(detail_.state(mode().language(), now_us)), screen_, flip);
-            } else {
-                mode().draw(now_us, flip);
-            }
-            painter_.paint(still_screen_.draw(std::get<ui::StillThereState>(shown_->state), screen_), screen_, flip);
+            draw_still_there(std::get<ui::StillThereState>(state), now_us, flip, kept);
             break;
         case Scene::Pin:
-            painter_.paint(pin_screen_.draw(std::get<ui::PinState>(shown_->state), screen_), screen_, flip);
+            draw_own(pin_screen_.draw(std::get<ui::PinState>(state), screen_), flip, kept);
             break;
         case Scene::Operator:
-            painter_.paint(desk_.build(std::get<ui::StationState>(shown_->state), screen_).list, screen_, flip);
+            draw_own(desk_.build(std::get<ui::StationState>(state), screen_).list, flip, kept);
             break;
         case Scene::Cleaning: {
-            const auto& left = std::get<ui::StillThereState>(shown_->state);
-            painter_.paint(pin_screen_.draw_cleaning(left.language, left.share, left.seconds, screen_), screen_, flip);
+            const auto& left = std::get<ui::StillThereState>(state);
+            draw_own(pin_screen_.draw_cleaning(left.language, left.share, left.seconds, screen_), flip, kept);
             break;
         }
         case Scene::Detail:
-            painter_.paint(detail_.draw(std::get<ui::DetailState>(shown_->state)), screen_, flip);
+            draw_own(detail_.draw(std::get<ui::DetailState>(state)), flip, kept);
             break;
         default:
-            mode().draw(now_us, flip);
+            draw_mode(now_us, flip, kept);
             break;
     }
 }

@@ -58,8 +58,11 @@ class Shell {
     /// Once a frame.
     void update(std::int64_t now_us);
     int update_ink();
+    /// See FindMode::use_spare_time.
+    void use_spare_time();
     [[nodiscard]] bool changed(std::int64_t now_us) const;
-    void draw(std::int64_t now_us, bool flip);
+    /// `kept`: what is bound still holds the frame that was drawn last, so that only changes need be drawn.
+    void draw(std::int64_t now_us, bool flip, bool kept = false);
 
     void set_collection(CollectionState state, const CollectionProgress& progress, std::int64_t now_us);
     void set_tablet(bool there, std::int64_t now_us);
@@ -106,6 +109,9 @@ class Shell {
     void release(const ui::WindowEvent& event);
     void act(const ui::Intent& intent, std::int64_t now_us);
     void watch_corner(const ui::WindowEvent& event);
+    void draw_own(ui::DrawList list, bool flip, bool kept);
+    void draw_mode(std::int64_t now_us, bool flip, bool kept, const ui::DrawList& over = {});
+    void draw_still_there(const ui::StillThereState& state, std::int64_t now_us, bool flip, bool kept);
     [[nodiscard]] bool mode_has_input() const;
     [[nodiscard]] bool mode_zooms() const;
     [[nodiscard]] ui::Rect corner() const;
@@ -153,6 +159,7 @@ class Shell {
     std::uint64_t wipes_ = 0;
     CollectionProgress progress_;
     std::optional<Shown> shown_;
+    enum class Drawn { Nothing, Own, Find } drawn_ = Drawn::Nothing;  // whose painter knows what the last frame holds
 };
 
 }  // namespace app

@@ -12,28 +12,49 @@ namespace {
 
 constexpr std::int64_t kFrame_us = 1'000'000 / 60;
 
+/// Frames are drawn into a picture that stays and is copied to the window whole: what a window's own buffers hold after
+/// they were shown is not known everywhere.
 class WindowSurface final : public Surface {
   public:
-    explicit WindowSurface(std::unique_ptr<ui::Window> window) : window_(std::move(window)) {}
+    explicit WindowSurface(std::unique_ptr<ui::Window> window)
+        : window_(std::move(window)), target_(window_->size(), ui::PixelFormat::Colour) {}
     ui::SizePx size() const override { return window_->size(); }
     std::vector<ui::WindowEvent> poll() override { return window_->poll(); }
     std::int64_t now_us() const override { return window_->now_us(); }
     bool shows_frames() const override { return window_->visible(); }
     bool bind() override {
-        ui::bind_window(size());
+        kept_ = drawn_ && target_.size() == size();
+        if (target_.size() != size()) target_ = ui::Target(size(), ui::PixelFormat::Colour);
+        target_.bind();
+        drawn_ = true;
         return true;
     }
-    void next_frame(bool drawn) override {
-        if (drawn) window_->present();
+    bool kept() const override { return kept_; }
+    void next_frame(bool drawn, const std::function<void()>& meanwhile) override {
+        if (drawn) {
+            target_.copy_to_window();
+            window_->present();
+        }
+        meanwhile();
         // some drivers do not wait for the screen: do not run faster than it
         const std::int64_t rest = last_us_ + kFrame_us - 1500 - now_us();
         if (rest > 0) std::this_thread::sleep_for(std::chrono::microseconds(std::min(rest, kFrame_us)));
         last_us_ = now_us();
     }
-    core::RgbaImage read_back() override { return ui::read_window(size()); }
+    core::RgbaImage read_back() override {
+        core::RgbaImage image = target_.read_back();
+        const auto row = static_cast<std::ptrdiff_t>(image.width) * 4;
+        for (int y = 0; y < image.height / 2; ++y) {  // its first row is the bottom one
+            const auto upper = image.pixels.begin() + y * row, lower = image.pixels.end() - (y + 1) * row;
+            std::swap_ranges(upper, upper + row, lower);
+        }
+        return image;
+    }
 
   private:
     std::unique_ptr<ui::Window> window_;
+    ui::Target target_;
+    bool drawn_ = false, kept_ = false;
     std::int64_t last_us_ = 0;
 };
 
@@ -47,14 +68,20 @@ class HeadlessSurface final : public Surface {
     bool shows_frames() const override { return false; }
     bool bind() override {
         target_.bind();
+        kept_ = std::exchange(drawn_, true);
         return false;
     }
-    void next_frame(bool /*drawn*/) override { now_us_ += kFrame_us; }
+    bool kept() const override { return kept_; }
+    void next_frame(bool /*drawn*/, const std::function<void()>& meanwhile) override {
+        meanwhile();
+        now_us_ += kFrame_us;
+    }
     core::RgbaImage read_back() override { return target_.read_back(); }
 
   private:
     std::unique_ptr<ui::Context> context_;
     ui::Target target_;
+    bool drawn_ = false, kept_ = false;
     std::int64_t now_us_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 // Where frames go: a window, or a picture that is read back. The loop is the same for both.
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -22,8 +23,10 @@ class Surface {
     [[nodiscard]] virtual bool shows_frames() const = 0;
     /// Directs drawing here. True when the first row is the bottom one.
     virtual bool bind() = 0;
-    /// Shows the frame (when one was drawn) and goes on to the next.
-    virtual void next_frame(bool drawn) = 0;
+    /// After bind(): whether what was drawn the last time is still there, so that only changes need be drawn.
+    [[nodiscard]] virtual bool kept() const = 0;
+    /// Shows the frame (when one was drawn), calls `meanwhile`, and goes on to the next frame when it is due.
+    virtual void next_frame(bool drawn, const std::function<void()>& meanwhile) = 0;
     /// What was drawn since bind().
     [[nodiscard]] virtual core::RgbaImage read_back() = 0;
 };

@@ -22,6 +22,7 @@ struct BoxCommand {
     Colour border = palette::kNone;
     double border_px = 0;
     double softness = 0;  ///< > 0: a shadow whose edge fades over this many pixels to either side
+    friend bool operator==(const BoxCommand&, const BoxCommand&) = default;
 };
 
 /// One line; x, y is the start of its baseline.
@@ -30,6 +31,7 @@ struct TextCommand {
     TextStyle style;
     Colour colour;
     double x = 0, y = 0;
+    friend bool operator==(const TextCommand&, const TextCommand&) = default;
 };
 
 struct IconCommand {
@@ -37,6 +39,7 @@ struct IconCommand {
     double centre_x = 0, centre_y = 0;
     double size_px = 36, line_px = 2.5;
     Colour colour;
+    friend bool operator==(const IconCommand&, const IconCommand&) = default;
 };
 
 struct PictureCommand {
@@ -51,8 +54,16 @@ struct PictureCommand {
     /// of the rect. Equal: no ramp.
     struct Ramp {
         double from = 0, to = 0;
+        friend bool operator==(const Ramp&, const Ramp&) = default;
     };
     Ramp ramp;
+    /// Where the picture is not empty, in pixels of the screen, so that nothing need be drawn elsewhere; without size:
+    /// everywhere. It says nothing new of the pixels, so two commands that differ in it alone are the same.
+    Rect within;
+    friend bool operator==(const PictureCommand& a, const PictureCommand& b) {
+        return a.picture == b.picture && a.rect == b.rect && a.mode == b.mode && a.tint == b.tint &&
+               a.opacity == b.opacity && a.source == b.source && a.ramp == b.ramp;
+    }
 };
 
 /// Ink drawn straight to the screen: the wet end.
@@ -60,6 +71,7 @@ struct InkCommand {
     std::vector<InkPiece> pieces;
     Colour colour;
     Rect clip;
+    friend bool operator==(const InkCommand&, const InkCommand&) = default;
 };
 
 using DrawCommand = std::variant<BoxCommand, TextCommand, IconCommand, PictureCommand, InkCommand>;
@@ -83,14 +95,16 @@ class DrawList {
         commands.emplace_back(IconCommand{icon, centre_x, centre_y, size_px, line_px, colour});
     }
     void picture(PictureId id, const Rect& rect, double opacity = 1) {
-        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Picture, {}, opacity, {0, 0, 1, 1}, {}});
+        commands.emplace_back(
+            PictureCommand{id, rect, PictureCommand::Mode::Picture, {}, opacity, {0, 0, 1, 1}, {}, {}});
     }
-    /// `source`: the part of the picture to show, 0 … 1.
-    void tinted(PictureId id, const Rect& rect, Colour tint, const Rect& source) {
-        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Tint, tint, 1, source, {}});
+    /// Coverage in a colour; see PictureCommand::within.
+    void tinted(PictureId id, const Rect& rect, Colour tint, const Rect& within = {}) {
+        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Tint, tint, 1, {0, 0, 1, 1}, {}, within});
     }
     void wash(PictureId id, const Rect& rect, Colour tint, double opacity) {
-        commands.emplace_back(PictureCommand{id, rect, PictureCommand::Mode::Wash, tint, opacity, {0, 0, 1, 1}, {}});
+        commands.emplace_back(
+            PictureCommand{id, rect, PictureCommand::Mode::Wash, tint, opacity, {0, 0, 1, 1}, {}, {}});
     }
     void ink(std::vector<InkPiece> pieces, Colour colour, const Rect& clip) {
         commands.emplace_back(InkCommand{std::move(pieces), colour, clip});

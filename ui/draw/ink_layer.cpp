@@ -52,6 +52,7 @@ int InkLayer::update(const Ink& ink) {
     target_.bind();
     if (fresh_ || ink.epoch != epoch_ || !(ink.frame == frame_) || ink.width_px != width_px_) {
         clear(0, 0, 0, 0);
+        changed_ = {0, 0, size().width + 0.0, size().height + 0.0};
         fresh_ = false;
         epoch_ = ink.epoch;
         frame_ = ink.frame;
@@ -71,7 +72,10 @@ int InkLayer::update(const Ink& ink) {
         span_ = 0;
     }
     if (pieces.empty()) return 0;
-    for (const InkPiece& piece : pieces) inked_ = joined(inked_, piece, size());
+    for (const InkPiece& piece : pieces) {
+        inked_ = joined(inked_, piece, size());
+        changed_ = joined(changed_, piece, size());
+    }
     static_assert(sizeof(InkPiece) == 6 * sizeof(float));
     stream_.fill({&pieces.front().x0, pieces.size() * 6});
     program_.use();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/stroke/stroke.hpp"
@@ -39,6 +40,8 @@ class InkLayer {
 
     /// Box of all ink in the layer, in its pixels; without size when there is none.
     [[nodiscard]] Rect inked() const { return inked_; }
+    /// Box of the pixels that changed since the last call.
+    [[nodiscard]] Rect take_changed() { return std::exchange(changed_, {}); }
     [[nodiscard]] const Texture& texture() const { return target_.texture(); }
     [[nodiscard]] core::RgbaImage read_back() const { return target_.read_back(); }
     /// A new, empty picture of that size; the next update draws everything.
@@ -56,7 +59,7 @@ class InkLayer {
     double width_px_ = 0;
     std::size_t stroke_ = 0;  // the next span to draw
     std::size_t span_ = 0;
-    Rect inked_;
+    Rect inked_, changed_;
 };
 
 }  // namespace ui

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <memory>
 #include <utility>
 
 #include "ui/draw/palette.hpp"
@@ -72,7 +74,7 @@ core::Result<ModelPainter> ModelPainter::create() {
 }
 
 Texture ModelPainter::paint(const CardModel& model, const ModelPictureOptions& options) {
-    Target target = draw(model, options);
+    Target& target = draw(model, options);
     target.resolve();
     return target.take_texture();
 }
@@ -81,9 +83,40 @@ core::RgbaImage ModelPainter::paint_image(const CardModel& model, const ModelPic
     return draw(model, options).read_back();
 }
 
-Target ModelPainter::draw(const CardModel& model, const ModelPictureOptions& options) {
+void ModelPainter::warm_up() {
+    auto triangle = std::make_shared<ModelGeometry>();
+    for (const double angle : {0.5, 2.6, 4.7}) {
+        const auto x = static_cast<float>(std::cos(angle)), y = static_cast<float>(std::sin(angle));
+        triangle->corners.insert(triangle->corners.end(), {x, y, 0, 0, 0, 1, 1, 1, 1});
+    }
+    CardModel model;
+    model.geometry = std::move(triangle);
+    model.part_map.width = model.part_map.height = 1;
+    model.part_map.pixels = {0, 0, 0, 0};
+    model.contacts = {{-0.5, 0.5}};
+    ModelPictureOptions options;
+    options.size = {16, 16};
+    (void)paint(model, options);
+    targets_.clear();
+    finish();
+}
+
+Target& ModelPainter::target_of(SizePx size) {
+    constexpr std::size_t kSizes = 2;  // the best card and the others
+    const auto found =
+        std::find_if(targets_.begin(), targets_.end(), [&](const Target& t) { return t.size() == size; });
+    if (found != targets_.end()) {
+        std::rotate(targets_.begin(), found, found + 1);
+    } else {
+        if (targets_.size() == kSizes) targets_.pop_back();
+        targets_.insert(targets_.begin(), Target(size, PixelFormat::Colour, Target::Depth::Multisampled));
+    }
+    return targets_.front();
+}
+
+Target& ModelPainter::draw(const CardModel& model, const ModelPictureOptions& options) {
     const SizePx size{options.size.width * kOversampling, options.size.height * kOversampling};
-    Target target(size, PixelFormat::Colour, Target::Depth::Multisampled);
+    Target& target = target_of(size);
     target.bind();
     clear(0, 0, 0, 0, true);
     const Fit fit = fit_box(model, size, options);

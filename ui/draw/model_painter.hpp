@@ -2,6 +2,7 @@
 // Draws a lit model into a picture with a transparent ground: what stands on a card.
 
 #include <utility>
+#include <vector>
 
 #include "ui/draw/lit_model.hpp"
 
@@ -22,13 +23,18 @@ class ModelPainter {
     /// The model seen by its camera, filling the picture, with its shadow on the ground. Twice the size asked for with
     /// four samples a pixel, so that it is smooth when shown at that size. Cost: the model's triangles.
     [[nodiscard]] Texture paint(const CardModel& model, const ModelPictureOptions& options);
+    /// Paints a small picture that nobody sees, so that the driver builds its programs before the first that is seen:
+    /// in software that takes a tenth of a second.
+    void warm_up();
     /// The same as pixels, for files and tests.
     [[nodiscard]] core::RgbaImage paint_image(const CardModel& model, const ModelPictureOptions& options);
 
   private:
     explicit ModelPainter(LitModel model) : model_(std::move(model)) {}
-    Target draw(const CardModel& model, const ModelPictureOptions& options);
+    Target& draw(const CardModel& model, const ModelPictureOptions& options);
+    Target& target_of(SizePx size);
     LitModel model_;
+    std::vector<Target> targets_;  // of the sizes in use, newest first: their buffers are large, and made anew too slow
 };
 
 }  // namespace ui

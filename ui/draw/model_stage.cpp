@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "ui/draw/damage.hpp"
 #include "ui/draw/palette.hpp"
 
 namespace ui {
@@ -73,17 +74,25 @@ ModelStage::ModelStage(LitModel model)
 void ModelStage::set_model(const ModelGeometry& geometry, std::vector<GroundContact> contacts) {
     model_.set_corners(geometry.corners);
     contacts_ = std::move(contacts);
+    empty_ = geometry.corners.empty();
+    low_ = {1e9, 1e9, 1e9};
+    high_ = {-1e9, -1e9, -1e9};
+    for (int i = 0; i < geometry.corner_count(); ++i) {
+        const core::Vec3 p = corner_at(geometry, i);
+        low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+        high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
+    }
 }
 
 void ModelStage::clear_model() {
     contacts_.clear();
     model_.set_corners({});
+    empty_ = fresh_ = true;
     target_ = Target({1, 1}, PixelFormat::Colour, Target::Depth::Multisampled);
 }
 
-void ModelStage::draw_shadows(const StageView& view) {
-    if (contacts_.empty()) return;
-    const SizePx size = target_.size();
+std::vector<float> ModelStage::shadows(const StageView& view) const {
+    if (contacts_.empty()) return {};
     const double flat = std::max(std::abs(core::dot(view.camera.direction, view.ground_up)), 0.12);
     std::vector<float> quads;
     const auto add = [&](core::Point centre, double radius, double strength) {
@@ -103,14 +112,53 @@ void ModelStage::draw_shadows(const StageView& view) {
         add(p, (contact.radius + 0.10) * view.scale_px, strength);
     }
     add(sum * (1.0 / static_cast<double>(contacts_.size())), (high.x - low.x) / 2 + 0.34 * view.scale_px, 0.14);
-    model_.draw_shadows(quads, size);
+    return quads;
+}
+
+/// Whole pixels.
+Rect ModelStage::box_of(const StageView& view, const std::vector<float>& shadows) const {
+    double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+    for (int i = 0; i < 8 && !empty_; ++i) {
+        const core::Point p = view.to_px(
+            {(i & 1) != 0 ? high_.x : low_.x, (i & 2) != 0 ? high_.y : low_.y, (i & 4) != 0 ? high_.z : low_.z});
+        left = std::min(left, p.x);
+        right = std::max(right, p.x);
+        top = std::min(top, p.y);
+        bottom = std::max(bottom, p.y);
+    }
+    for (std::size_t i = 0; i + 7 < shadows.size(); i += 8) {
+        left = std::min<double>(left, shadows[i]);
+        right = std::max<double>(right, shadows[i] + shadows[i + 2]);
+        top = std::min<double>(top, shadows[i + 1]);
+        bottom = std::max<double>(bottom, shadows[i + 1] + shadows[i + 3]);
+    }
+    const SizePx size = target_.size();
+    left = std::clamp(std::floor(left) - 1, 0.0, size.width + 0.0);
+    right = std::clamp(std::ceil(right) + 1, left, size.width + 0.0);
+    top = std::clamp(std::floor(top) - 1, 0.0, size.height + 0.0);
+    bottom = std::clamp(std::ceil(bottom) + 1, top, size.height + 0.0);
+    return {left, top, right - left, bottom - top};
 }
 
 void ModelStage::draw(const StageView& view, SizePx size) {
-    if (target_.size() != size) target_ = Target(size, PixelFormat::Colour, Target::Depth::Multisampled);
+    if (target_.size() != size) {
+        target_ = Target(size, PixelFormat::Colour, Target::Depth::Multisampled);
+        fresh_ = true;
+    }
     target_.bind();
+    if (fresh_) clear(0, 0, 0, 0, true);
+    const std::vector<float> shadow = shadows(view);
+    const Rect box = box_of(view, shadow);
+    const Rect whole{0, 0, size.width + 0.0, size.height + 0.0};
+    const Rect part = fresh_ ? whole : (drawn_.width > 0 ? around(drawn_, box) : box);
+    changed_ = fresh_ ? Rect{} : part;
+    fresh_ = false;
+    drawn_ = box;
+    if (part.width <= 0 || part.height <= 0) return;
+    const SizePx part_size{static_cast<int>(part.width), static_cast<int>(part.height)};
+    set_scissor(static_cast<int>(part.x), static_cast<int>(part.y), part_size);
     clear(0, 0, 0, 0, true);
-    draw_shadows(view);
+    model_.draw_shadows(shadow, size);
     ModelLook look;
     look.camera = view.camera;
     look.sx = (view.mirrored ? -2.0 : 2.0) * view.scale_px / size.width;
@@ -120,7 +168,8 @@ void ModelStage::draw(const StageView& view, SizePx size) {
     look.mirrored = view.mirrored;
     look.own_colours = view.own_colours;
     model_.draw(look);
-    target_.resolve();
+    target_.resolve(static_cast<int>(part.x), static_cast<int>(part.y), part_size);
+    set_scissor(0, 0, {});
 }
 
 }  // namespace ui

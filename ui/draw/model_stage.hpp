@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/draw/lit_model.hpp"
+#include "ui/draw/palette.hpp"
 
 namespace ui {
 
@@ -46,18 +47,25 @@ class ModelStage {
     /// What is drawn from now on. Uploads it.
     void set_model(const ModelGeometry& geometry, std::vector<GroundContact> contacts);
     void clear_model();
-    /// The model with its shadow on a transparent ground, four samples a pixel. Cost: the model's triangles.
+    /// The model with its shadow on a transparent ground, four samples a pixel. Cost: the model's triangles, and the
+    /// pixels of its box now and before.
     void draw(const StageView& view, SizePx size);
+    /// The pixels that the last draw may have changed; without size when the texture is another.
+    [[nodiscard]] Rect changed() const { return changed_; }
     /// Of the last draw.
     [[nodiscard]] const Texture& texture() const { return target_.texture(); }
     [[nodiscard]] core::RgbaImage read_back() const { return target_.read_back(); }
 
   private:
     explicit ModelStage(LitModel model);
-    void draw_shadows(const StageView& view);
+    [[nodiscard]] std::vector<float> shadows(const StageView& view) const;
+    [[nodiscard]] Rect box_of(const StageView& view, const std::vector<float>& shadows) const;
     LitModel model_;
     Target target_;
     std::vector<GroundContact> contacts_;
+    core::Vec3 low_, high_;  // box of the geometry
+    bool empty_ = true, fresh_ = true;
+    Rect drawn_, changed_;  // px of the texture: what is not transparent, and see changed()
 };
 
 }  // namespace ui

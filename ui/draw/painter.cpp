@@ -8,12 +8,18 @@ namespace ui {
 namespace {
 
 constexpr int kAtlasPx = 2048;
+constexpr double kMostShare = 0.7;  // of the target; more than that in parts costs more than the whole at once
 
 void push(std::vector<float>& floats, std::initializer_list<double> values) {
     for (const double v : values) floats.push_back(static_cast<float>(v));
 }
 void push(std::vector<float>& floats, Colour c) {
     floats.insert(floats.end(), {c.r, c.g, c.b, c.a});
+}
+
+/// Quarters of a pixel that a letter is shifted by.
+int phase_of(double x) {
+    return std::min(static_cast<int>((x - std::floor(x)) * 4), 3);
 }
 
 }  // namespace
@@ -48,16 +54,88 @@ void Painter::set_picture(PictureId id, const Texture* texture) {
     } else {
         pictures_[id] = texture;
     }
+    changed_pictures_[id] = {};
+}
+
+void Painter::picture_changed(PictureId id, const Rect& part) {
+    if (part.width <= 0 || part.height <= 0) return;
+    const auto [entry, is_new] = changed_pictures_.emplace(id, part);
+    if (is_new || entry->second.width <= 0) return;
+    entry->second = around(entry->second, part);
 }
 
 void Painter::paint(const DrawList& list, SizePx viewport, bool flip) {
     viewport_ = viewport;
     flip_ = flip ? -1.0F : 1.0F;
     set_depth_test(false);
+    for (const DrawCommand& command : list.commands) place_letters(command);
     for (const DrawCommand& command : list.commands) {
         std::visit([this](const auto& c) { draw(c); }, command);
     }
     flush();
+}
+
+/// Where the list shows pictures that are not what they were.
+void Painter::add_picture_changes(const DrawList& list, Damage& damage) const {
+    for (const DrawCommand& command : list.commands) {
+        const auto* picture = std::get_if<PictureCommand>(&command);
+        if (picture == nullptr) continue;
+        const auto changed = changed_pictures_.find(picture->picture);
+        if (changed == changed_pictures_.end()) continue;
+        const auto texture = pictures_.find(picture->picture);
+        const Rect& part = changed->second;
+        if (part.width <= 0 || texture == pictures_.end()) {
+            damage.add(picture->rect);
+            continue;
+        }
+        const Rect &to = picture->rect, &from = picture->source;
+        const double sx = to.width / (from.width * texture->second->size().width);
+        const double sy = to.height / (from.height * texture->second->size().height);
+        // filtering reads one pixel beyond
+        const double x = to.x - from.x * to.width / from.width, y = to.y - from.y * to.height / from.height;
+        damage.add(
+            common(to, {x + (part.x - 1) * sx, y + (part.y - 1) * sy, (part.width + 2) * sx, (part.height + 2) * sy}));
+    }
+}
+
+void Painter::paint_part(const DrawList& list, const std::vector<Rect>& reaches, const Rect& part) {
+    for (std::size_t i = 0; i < list.commands.size(); ++i) {
+        if (overlap(reaches[i], part)) place_letters(list.commands[i]);
+    }
+    part_ = part;
+    unlimit();
+    for (std::size_t i = 0; i < list.commands.size(); ++i) {
+        if (overlap(reaches[i], part)) std::visit([this](const auto& c) { draw(c); }, list.commands[i]);
+    }
+    flush();
+    part_.reset();
+    unlimit();
+}
+
+void Painter::paint_changes(DrawList list, SizePx viewport, bool flip) {
+    const Rect whole{0, 0, viewport.width + 0.0, viewport.height + 0.0};
+    painted_ = {};
+    if (frame_ && frame_->viewport == viewport && frame_->flip == flip) {
+        painted_ = difference(frame_->list, list, *fonts_);
+        add_picture_changes(list, painted_);
+    } else {
+        painted_.add(whole);
+    }
+    changed_pictures_.clear();
+    viewport_ = viewport;
+    flip_ = flip ? -1.0F : 1.0F;
+    set_depth_test(false);
+    if (painted_.area() > kMostShare * whole.width * whole.height) {
+        painted_ = {};
+        painted_.add(whole);
+    }
+    std::vector<Rect> reaches;
+    if (!painted_.empty()) {
+        reaches.reserve(list.commands.size());
+        for (const DrawCommand& command : list.commands) reaches.push_back(reach_of(command, *fonts_));
+    }
+    for (const Rect& part : painted_.rects()) paint_part(list, reaches, part);
+    frame_ = Frame{std::move(list), viewport, flip};
 }
 
 void Painter::start(Batch batch) {
@@ -89,13 +167,25 @@ void Painter::flush() {
     batch_ = Batch::None;
 }
 
-void Painter::limit_to(const Rect& rect) const {
+/// To the part that is being drawn.
+void Painter::unlimit() const {
+    if (part_) {
+        (void)limit_to(*part_);
+    } else {
+        set_scissor(0, 0, {});
+    }
+}
+
+/// False when nothing is left of it.
+bool Painter::limit_to(const Rect& wanted) const {
+    const Rect rect = part_ ? common(wanted, *part_) : wanted;
     const int left = static_cast<int>(std::lround(std::clamp(rect.x, 0.0, viewport_.width + 0.0)));
     const int right = static_cast<int>(std::lround(std::clamp(rect.right(), 0.0, viewport_.width + 0.0)));
     const int top = static_cast<int>(std::lround(std::clamp(rect.y, 0.0, viewport_.height + 0.0)));
     const int bottom = static_cast<int>(std::lround(std::clamp(rect.bottom(), 0.0, viewport_.height + 0.0)));
-    const SizePx size{std::max(right - left, 1), std::max(bottom - top, 1)};
-    set_scissor(left, flip_ < 0 ? viewport_.height - bottom : top, size);
+    if (right <= left || bottom <= top) return false;
+    set_scissor(left, flip_ < 0 ? viewport_.height - bottom : top, {right - left, bottom - top});
+    return true;
 }
 
 /// Large plain areas are cleared, which costs a fraction of drawing them pixel by pixel.
@@ -104,9 +194,8 @@ bool Painter::fill_flat(const BoxCommand& box) {
                        box.rect.width == std::floor(box.rect.width) && box.rect.height == std::floor(box.rect.height);
     if (!whole || box.radius > 0 || box.softness > 0 || box.border_px > 0 || box.fill.a < 1) return false;
     flush();
-    limit_to(box.rect);
-    clear(box.fill.r, box.fill.g, box.fill.b, 1);
-    set_scissor(0, 0, {});
+    if (limit_to(box.rect)) clear(box.fill.r, box.fill.g, box.fill.b, 1);
+    unlimit();
     return true;
 }
 
@@ -146,28 +235,47 @@ void Painter::add_glyph(const Slot& slot, double x, double y, Colour colour) {
     push(floats_, colour);
 }
 
+Painter::Slot Painter::slot_of(const TextCommand& text, const PlacedGlyph& glyph, int phase) {
+    const SlotKey key{glyph.font, glyph.glyph, static_cast<int>(std::lround(text.style.size_px * 64)), phase};
+    const auto found = slots_.find(key);
+    if (found != slots_.end()) return found->second;
+    return place(key, fonts_->rasterise(glyph.font, glyph.glyph, text.style.size_px, phase));
+}
+
+Painter::Slot Painter::slot_of(const IconCommand& icon) {
+    const int size = std::max(1, static_cast<int>(std::lround(icon.size_px)));
+    const SlotKey key{-1, static_cast<unsigned>(icon.icon), size, static_cast<int>(std::lround(icon.line_px * 64))};
+    const auto found = slots_.find(key);
+    if (found != slots_.end()) return found->second;
+    return place(key, {rasterise_icon(icon.icon, size, icon.line_px), 0, 0});
+}
+
+/// Letters come to the atlas before anything is drawn: in between, a driver that draws in software would wait for all
+/// that was drawn so far at each of them.
+void Painter::place_letters(const DrawCommand& command) {
+    if (const auto* text = std::get_if<TextCommand>(&command)) {
+        for (const PlacedGlyph& g : fonts_->shape(text->text, text->style).glyphs) {
+            (void)slot_of(*text, g, phase_of(text->x + g.x));
+        }
+    } else if (const auto* icon = std::get_if<IconCommand>(&command)) {
+        (void)slot_of(*icon);
+    }
+}
+
 void Painter::draw(const TextCommand& text) {
     start(Batch::Glyphs);
     const double baseline = std::round(text.y);
     for (const PlacedGlyph& g : fonts_->shape(text.text, text.style).glyphs) {
-        const double x = text.x + g.x, whole = std::floor(x);
-        const int phase = std::min(static_cast<int>((x - whole) * 4), 3);
-        const SlotKey key{g.font, g.glyph, static_cast<int>(std::lround(text.style.size_px * 64)), phase};
-        const auto found = slots_.find(key);
-        const Slot slot = found != slots_.end()
-                              ? found->second
-                              : place(key, fonts_->rasterise(g.font, g.glyph, text.style.size_px, phase));
-        add_glyph(slot, whole + slot.left, baseline + std::round(g.y) + slot.top, text.colour);
+        const double x = text.x + g.x;
+        const Slot slot = slot_of(text, g, phase_of(x));
+        add_glyph(slot, std::floor(x) + slot.left, baseline + std::round(g.y) + slot.top, text.colour);
     }
 }
 
 void Painter::draw(const IconCommand& icon) {
     start(Batch::Glyphs);
+    const Slot slot = slot_of(icon);
     const int size = std::max(1, static_cast<int>(std::lround(icon.size_px)));
-    const SlotKey key{-1, static_cast<unsigned>(icon.icon), size, static_cast<int>(std::lround(icon.line_px * 64))};
-    const auto found = slots_.find(key);
-    const Slot slot =
-        found != slots_.end() ? found->second : place(key, {rasterise_icon(icon.icon, size, icon.line_px), 0, 0});
     add_glyph(slot, std::round(icon.centre_x - size * 0.5), std::round(icon.centre_y - size * 0.5), icon.colour);
 }
 
@@ -187,7 +295,9 @@ void Painter::draw(const PictureCommand& picture) {
     push(quad, {picture.rect.x, picture.rect.y, picture.rect.width, picture.rect.height, picture.source.x,
                 picture.source.y, picture.source.width, picture.source.height});
     picture_.fill(quad);
-    picture_.draw_quads(1);
+    const bool partly = picture.within.width > 0 && picture.within.height > 0;
+    if (!partly || limit_to(picture.within)) picture_.draw_quads(1);
+    if (partly) unlimit();
 }
 
 void Painter::draw(const InkCommand& ink) {
@@ -196,10 +306,9 @@ void Painter::draw(const InkCommand& ink) {
     use(ink_program_);
     ink_program_.set("tint", ink.colour.r, ink.colour.g, ink.colour.b, ink.colour.a);
     set_blend(Blend::Over);
-    limit_to(ink.clip);
     ink_.fill({&ink.pieces.front().x0, ink.pieces.size() * 6});
-    ink_.draw_quads(static_cast<int>(ink.pieces.size()));
-    set_scissor(0, 0, {});
+    if (limit_to(ink.clip)) ink_.draw_quads(static_cast<int>(ink.pieces.size()));
+    unlimit();
 }
 
 }  // namespace ui

@@ -1,10 +1,12 @@
 #pragma once
-// Draws lists: boxes, text and icons in batches, pictures one by one.
+// Draws lists: boxes, text and icons in batches, pictures one by one; a whole frame, or what changed since the last.
 
 #include <map>
+#include <optional>
 #include <tuple>
 #include <vector>
 
+#include "ui/draw/damage.hpp"
 #include "ui/draw/draw_list.hpp"
 #include "ui/gl/objects.hpp"
 
@@ -18,8 +20,19 @@ class Painter {
     /// The texture behind a picture's name until it is named anew; null forgets it. Unknown pictures are not drawn.
     void set_picture(PictureId id, const Texture* texture);
 
+    /// The picture of that name is another in this part of it (in its own pixels).
+    void picture_changed(PictureId id, const Rect& part);
+
     /// Draws into the target that is bound. `flip`: true for a window, whose first row is the bottom one.
     void paint(const DrawList& list, SizePx viewport, bool flip);
+    /// The same pixels, where the target still holds what the last call of this function left there: draws only where
+    /// the two lists or the pictures in them differ. The list must cover the whole target with opaque ground. After
+    /// forget_frame(), or with another viewport or flip, everything is drawn. Cost: that of the difference.
+    void paint_changes(DrawList list, SizePx viewport, bool flip);
+    /// The target holds something else now.
+    void forget_frame() { frame_.reset(); }
+    /// What the last paint_changes() drew.
+    [[nodiscard]] const Damage& painted() const { return painted_; }
 
   private:
     enum class Batch { None, Boxes, Glyphs };
@@ -34,9 +47,15 @@ class Painter {
     void start(Batch batch);
     void flush();
     void use(const Program& program) const;
-    void limit_to(const Rect& rect) const;
+    [[nodiscard]] bool limit_to(const Rect& rect) const;
+    void unlimit() const;
+    void paint_part(const DrawList& list, const std::vector<Rect>& reaches, const Rect& part);
+    void add_picture_changes(const DrawList& list, Damage& damage) const;
     bool fill_flat(const BoxCommand& box);
     const Slot& place(const SlotKey& key, const GlyphImage& image);
+    [[nodiscard]] Slot slot_of(const TextCommand& text, const PlacedGlyph& glyph, int phase);
+    [[nodiscard]] Slot slot_of(const IconCommand& icon);
+    void place_letters(const DrawCommand& command);
     void add_glyph(const Slot& slot, double x, double y, Colour colour);
 
     void draw(const BoxCommand& box);
@@ -52,6 +71,16 @@ class Painter {
     std::map<SlotKey, Slot> slots_;
     int shelf_x_ = 0, shelf_y_ = 0, shelf_height_ = 0;
     std::map<PictureId, const Texture*> pictures_;
+    std::map<PictureId, Rect> changed_pictures_;  // since the last frame, in their own pixels; without size: the whole
+    /// What the target holds.
+    struct Frame {
+        DrawList list;
+        SizePx viewport;
+        bool flip;
+    };
+    std::optional<Frame> frame_;
+    Damage painted_;
+    std::optional<Rect> part_;  // of the target, that is being drawn; none: all
     Batch batch_ = Batch::None;
     std::vector<float> floats_;
     SizePx viewport_;

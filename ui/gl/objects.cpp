@@ -142,7 +142,7 @@ void Texture::bind(int unit) const {
     glActiveTexture(GL_TEXTURE0);
 }
 
-Target::Target(SizePx size, PixelFormat format, Depth depth) : texture_(size, format) {
+Target::Target(SizePx size, PixelFormat format, Depth depth) : texture_(size, format), format_(format) {
     frame_ = GlName(new_frame(texture_.name()));
     if (depth == Depth::None) return;
     sampled_colour_ = GlName(new_sampled_buffer(GL_RGBA8, size));
@@ -166,17 +166,24 @@ Target::~Target() {
     }
 }
 
+Texture Target::take_texture() {
+    Texture taken = std::exchange(texture_, Texture(size(), format_));
+    glBindFramebuffer(GL_FRAMEBUFFER, frame_.get());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
+    return taken;
+}
+
 void Target::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, sampled_frame_.get() != 0 ? sampled_frame_.get() : frame_.get());
     glViewport(0, 0, size().width, size().height);
 }
 
-void Target::resolve() const {
+void Target::resolve(int x, int y, SizePx part) const {
     if (sampled_frame_.get() == 0) return;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_frame_.get());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_.get());
-    glBlitFramebuffer(0, 0, size().width, size().height, 0, 0, size().width, size().height, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
+    const int right = x + part.width, bottom = y + part.height;
+    glBlitFramebuffer(x, y, right, bottom, x, y, right, bottom, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 core::RgbaImage Target::read_back() const {
@@ -191,24 +198,18 @@ core::RgbaImage Target::read_back() const {
     return image;
 }
 
+void Target::copy_to_window() const {
+    resolve();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_.get());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, size().width, size().height, 0, 0, size().width, size().height, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+    bind_window(size());
+}
+
 void bind_window(SizePx size) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, size.width, size.height);
-}
-
-core::RgbaImage read_window(SizePx size) {
-    bind_window(size);
-    core::RgbaImage image;
-    image.width = size.width;
-    image.height = size.height;
-    const std::size_t row = static_cast<std::size_t>(size.width) * 4;
-    image.pixels.resize(row * static_cast<std::size_t>(size.height));
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    for (int y = 0; y < size.height; ++y) {
-        glReadPixels(0, size.height - 1 - y, size.width, 1, GL_RGBA, GL_UNSIGNED_BYTE,
-                     image.pixels.data() + static_cast<std::size_t>(y) * row);
-    }
-    return image;
 }
 
 VertexStream::VertexStream(std::initializer_list<int> layout, bool per_instance) {

@@ -89,22 +89,26 @@ class Target {
     /// Directs drawing here and sets the viewport to the whole of it.
     void bind() const;
     /// Makes texture() show what was drawn. Nothing to do without multisampling.
-    void resolve() const;
+    void resolve() const { resolve(0, 0, size()); }
+    /// Of this part of it alone.
+    void resolve(int x, int y, SizePx part) const;
     [[nodiscard]] const Texture& texture() const { return texture_; }
-    [[nodiscard]] Texture take_texture() { return std::move(texture_); }
+    /// The texture as it is; an empty one of the same size takes its place, and the other buffers stay.
+    [[nodiscard]] Texture take_texture();
     [[nodiscard]] SizePx size() const { return texture_.size(); }
     /// The pixels, top row first; a coverage target gives its value as red.
     [[nodiscard]] core::RgbaImage read_back() const;
+    /// Copies the pixels as they lie to the window's frame, first row to first row, and leaves that bound.
+    void copy_to_window() const;
 
   private:
     Texture texture_;
+    PixelFormat format_;
     GlName frame_, sampled_frame_, sampled_colour_, sampled_depth_;
 };
 
 /// Directs drawing to the window (or whatever frame 0 is) and sets the viewport.
 void bind_window(SizePx size);
-/// The pixels of the window's frame that is being drawn, top row first.
-[[nodiscard]] core::RgbaImage read_window(SizePx size);
 
 /// Interleaved floats that change often, with the vertex array that reads them.
 class VertexStream {

@@ -57,11 +57,11 @@ DrawList AttractScreen::draw(const AttractState& state, SizePx screen) const {
     const double right = std::max(inked.right(), form.width > 0 ? form.right() : inked.right());
     const double soft = kSoftEdge * (right - left);
     const double edge = right - state.form_share * (right - left + soft);
+    const Rect whole{l.stage.x + dx, l.stage.y + dy, l.stage.width, l.stage.height};
     if (inked.width > 0 && inked.height > 0) {
-        PictureCommand ink{state.ink, inked, PictureCommand::Mode::Tint, palette::kInk, state.opacity, {}, {}};
-        ink.source = {state.inked.x / l.stage.width, state.inked.y / l.stage.height, inked.width / l.stage.width,
-                      inked.height / l.stage.height};
-        if (state.form_share > 0) ink.ramp = ramp_over(inked, edge + soft, edge);
+        PictureCommand ink{state.ink, whole, PictureCommand::Mode::Tint, palette::kInk, state.opacity, {0, 0, 1, 1},
+                           {},        inked};
+        if (state.form_share > 0) ink.ramp = ramp_over(whole, edge + soft, edge);
         list.commands.emplace_back(ink);
     }
     std::vector<InkPiece> wet = state.wet_ink;
@@ -73,8 +73,8 @@ DrawList AttractScreen::draw(const AttractState& state, SizePx screen) const {
     }
     list.ink(std::move(wet), palette::kInk, {0, 0, s.width(), s.height()});
     if (state.form_share > 0 && form.width > 0) {
-        const Rect whole{l.stage.x + dx, l.stage.y + dy, l.stage.width, l.stage.height};
-        PictureCommand picture{state.form, whole, PictureCommand::Mode::Picture, {}, state.opacity, {0, 0, 1, 1}, {}};
+        PictureCommand picture{state.form, whole, PictureCommand::Mode::Picture, {}, state.opacity, {0, 0, 1, 1},
+                               {},         {}};
         picture.ramp = ramp_over(whole, edge, edge + soft);
         list.commands.emplace_back(picture);
     }

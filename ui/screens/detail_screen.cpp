@@ -118,10 +118,8 @@ class Drawer {
         }
         const Rect& inked = state_.inked;
         if (inked.width > 0 && inked.height > 0) {
-            list_.tinted(state_.ink, {inked.x + l_.drawing.x, inked.y + l_.drawing.y, inked.width, inked.height},
-                         palette::kInk,
-                         {inked.x / l_.drawing.width, inked.y / l_.drawing.height, inked.width / l_.drawing.width,
-                          inked.height / l_.drawing.height});
+            list_.tinted(state_.ink, l_.drawing, palette::kInk,
+                         {inked.x + l_.drawing.x, inked.y + l_.drawing.y, inked.width, inked.height});
         }
         for (const DetailTag& t : state_.drawing_tags) tag(t, kDrawingTag_px, true);
     }
@@ -137,7 +135,8 @@ class Drawer {
             const double text = s_.px(40), inset = s_.px(6);
             list_.picture(state_.similar[i].picture,
                           {r.x + inset, r.y + inset, r.width - 2 * inset, r.height - text - inset});
-            const double y = state_.similar[i].picture == PictureId{} ? r.centre_y() : r.bottom() - s_.px(17);
+            const bool alone = state_.similar[i].picture == PictureId{} && !state_.similar[i].to_come;
+            const double y = alone ? r.centre_y() : r.bottom() - s_.px(17);
             list_.text(fonts_, fonts_.cut(state_.similar[i].name, name, r.width - s_.px(12)), name, palette::kInk,
                        r.centre_x(), y, Align::Centre);
         }

@@ -40,6 +40,7 @@ struct DetailTag {
 struct SimilarCard {
     std::string name;
     PictureId picture{};
+    bool to_come = false;  ///< the picture is on its way: the name stands where it will stand then
     friend bool operator==(const SimilarCard&, const SimilarCard&) = default;
 };
 

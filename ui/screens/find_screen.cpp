@@ -63,10 +63,9 @@ class Drawer {
         if (state_.sheet_empty) sheet_hint();
         const Rect& inked = state_.inked;
         if (inked.width > 0 && inked.height > 0) {
-            list_.tinted(state_.ink, {inked.x + l_.sheet.x, inked.y + l_.sheet.y, inked.width, inked.height},
-                         palette::kInk,
-                         {inked.x / l_.sheet.width, inked.y / l_.sheet.height, inked.width / l_.sheet.width,
-                          inked.height / l_.sheet.height});
+            // the same command while the ink grows, so that a new piece leaves the rest of the frame as it is
+            list_.tinted(state_.ink, l_.sheet, palette::kInk,
+                         {inked.x + l_.sheet.x, inked.y + l_.sheet.y, inked.width, inked.height});
         }
         list_.ink(state_.ahead_ink, palette::kInkAhead, l_.sheet);
         list_.ink(state_.wet_ink, palette::kInk, l_.sheet);

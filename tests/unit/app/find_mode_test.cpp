@@ -352,3 +352,55 @@ TEST_CASE("the pen pressed again draws the finer line, and once more the normal 
     kiosk.tap(kiosk.layout().tools[0]);
     CHECK_FALSE(kiosk.state().fine_pen);
 }
+
+TEST_CASE("drawing only what changed gives the pixels of the whole frame at every frame", "[find mode]") {
+    test::FigureSearcher searcher(test::make_animals());
+    Kiosk kiosk(&searcher);
+    ui::Target kept({1280, 800}, ui::PixelFormat::Colour), anew({1280, 800}, ui::PixelFormat::Colour);
+    bool first = true;
+    int frames = 0;
+    const auto frame = [&](std::int64_t later_us) {
+        kiosk.now_us += later_us;
+        kiosk.find->update(kiosk.now_us);
+        kiosk.find->update_ink();
+        kept.bind();
+        if (std::exchange(first, false)) {
+            kiosk.find->draw(kiosk.now_us, false);
+        } else {
+            kiosk.find->draw_changes(kiosk.now_us, false);
+        }
+        const std::vector<std::uint8_t> seen = kept.read_back().pixels;
+        anew.bind();
+        kiosk.find->draw(kiosk.now_us, false);
+        REQUIRE(seen == anew.read_back().pixels);
+        ++frames;
+    };
+    frame(0);
+    kiosk.event(Kind::Down, 700, 300);
+    for (int i = 1; i <= 4; ++i) {
+        kiosk.event(Kind::Move, 700 + i * 60, 300 + (i % 2) * 25);
+        kiosk.find->look_ahead(ui::WindowEvent{Kind::Move, 715.0 + i * 60, 310, 1.0, kiosk.now_us, false});
+        frame(8'000);
+    }
+    kiosk.event(Kind::Up, 940, 330);
+    kiosk.stroke(940, 330, 940, 600);
+    frame(16'000);
+    kiosk.find->search_and_wait();
+    for (int i = 0; i < 8; ++i) frame(45'000);  // cards come and fade
+    kiosk.now_us += 700'000;
+    for (int i = 0; i < 3; ++i) frame(90'000);  // the wash comes
+    kiosk.event(Kind::Down, 800, 650);
+    frame(40'000);  // and goes
+    kiosk.event(Kind::Up, 800, 650);
+    kiosk.tap(kiosk.layout().tools[1]);
+    kiosk.event(Kind::Down, 800, 650);
+    frame(16'000);  // the eraser's ring, an undone stroke, another language, an empty sheet
+    kiosk.event(Kind::Up, 800, 650);
+    kiosk.tap(kiosk.layout().tools[2]);
+    frame(16'000);
+    kiosk.find->set_language(2);
+    frame(16'000);
+    kiosk.tap(kiosk.layout().tools[4]);
+    frame(16'000);
+    CHECK(frames > 20);
+}

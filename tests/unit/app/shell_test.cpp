@@ -257,3 +257,60 @@ TEST_CASE("a resize on attract, on a notice and under the question keeps the sce
     CHECK(strokes(kiosk) == 1);
     CHECK(kiosk.picture().height == 1920);
 }
+
+TEST_CASE("a picture that is kept from frame to frame is right through all scenes", "[shell]") {
+    test::KioskStand kiosk(kSize);
+    ui::Target kept(kSize, ui::PixelFormat::Colour);
+    bool drawn = false;
+    const auto look = [&] {
+        kiosk.shell->update_ink();
+        kept.bind();
+        kiosk.shell->draw(kiosk.now_us, false, std::exchange(drawn, true));
+        const auto seen = kept.read_back().pixels;
+        CHECK(seen == kiosk.picture().pixels);
+    };
+    for (int i = 0; i < 7; ++i) {  // the line, and its form
+        look();
+        kiosk.wait(0.9);
+    }
+    kiosk.shell->open_sheet(kiosk.now_us);
+    look();
+    kiosk.stroke(800, 300, 1000, 400);
+    look();
+    kiosk.draw_horse();
+    look();
+    kiosk.tap(kiosk.find->layout().cards[0]);
+    kiosk.wait(0.1);
+    REQUIRE(kiosk.scene() == Scene::Detail);
+    for (int i = 0; i < 3; ++i) {  // it opens and turns
+        look();
+        kiosk.wait(0.3);
+    }
+    kiosk.wait(65);
+    REQUIRE(kiosk.scene() == Scene::StillThere);
+    look();
+    kiosk.wait(1);
+    look();
+    kiosk.tap(kiosk.shell->detail().layout().sheet.right() - 20, 20);
+    REQUIRE(kiosk.scene() == Scene::Detail);
+    look();
+    kiosk.tap(kiosk.shell->detail().layout().back);
+    REQUIRE(kiosk.scene() == Scene::Work);
+    look();
+    kiosk.wait(70);
+    REQUIRE(kiosk.scene() == Scene::StillThere);
+    look();
+    kiosk.stroke(800, 350, 1000, 450);
+    look();
+    kiosk.wait(100);
+    REQUIRE(kiosk.scene() == Scene::Attract);
+    look();
+    kiosk.event(Kind::Down, 20, 20);
+    kiosk.wait(3.2);
+    kiosk.event(Kind::Up, 20, 20);
+    look();
+    kiosk.type("000000");
+    look();
+    kiosk.wait(1);
+    look();
+}
