@@ -57,13 +57,14 @@ std::vector<NamedScene> garment_scenes() {
                   hand.view(V::Solid);
                   hand.slide(k.garment->layout().slider, 0.8, false);
               }),
-        scene("garment-skirt-left-de",
-              [](KioskStand& k) {
-                  GarmentHand hand(k);
-                  hand.enter();
-                  hand.skirt();
-              },
-              left_in_german()),
+        scene(
+            "garment-skirt-left-de",
+            [](KioskStand& k) {
+                GarmentHand hand(k);
+                hand.enter();
+                hand.skirt();
+            },
+            left_in_german()),
         scene("garment-body",
               [](KioskStand& k) {
                   GarmentHand hand = with(k, "dress");

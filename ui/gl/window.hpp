@@ -34,10 +34,10 @@ struct WindowEvent {
     double pressure = 1.0;     ///< 0 … 1; 1 for the mouse and for fingers that report none
     std::int64_t time_us = 0;  ///< when it happened, on the clock of Window::now_us()
     bool finger = false;
-    bool pen = false;     ///< of a tablet; a Move without a Down before it is one that hovers
-    bool eraser = false;  ///< the pen's other end
-    bool button = false;  ///< a pen with its button held, or the mouse's other button
-    double zoom = 0.0;    ///< of Zoom: doublings of the size
+    bool pen = false;                     ///< of a tablet; a Move without a Down before it is one that hovers
+    bool eraser = false;                  ///< the pen's other end
+    bool button = false;                  ///< a pen with its button held, or the mouse's other button
+    double zoom = 0.0;                    ///< of Zoom: doublings of the size
     double shift_x = 0.0, shift_y = 0.0;  ///< of Zoom: how far two fingers moved together
 };
 
