@@ -11,9 +11,9 @@ namespace core {
 
 namespace {
 
-constexpr int kPlaces = 64;  // of outline_difference
+constexpr std::size_t kPlaces = 64;  // of outline_difference
 constexpr std::size_t kStep = 2 * kOutlineGrid / kPlaces;
-constexpr double kRounding = 1.0001;  // far above what sums of floats are rounded by
+constexpr float kRounding = 1.0001F;  // far above what sums of floats are rounded by
 
 /// A profile of one height everywhere.
 OutlineProfile flat(std::uint8_t height, float complexity) {
@@ -115,39 +115,34 @@ int sum_of(const Least& least, std::size_t s) {
     return 2 * sum;
 }
 
-/// Whether sum(0) … sum(7) all reach `needed`; given up at the first that is known not to.
-bool all_reach(const Fixed& b, const Turning& a, int needed) {
+/// The least of sum(0) … sum(7).
+int least_sum(const Fixed& b, const Turning& a) {
     static const auto fill_least = __builtin_cpu_supports("avx2") != 0 ? fill_least_avx2 : fill_least_sse2;
     Least least;
-    for (const std::size_t s : {1U, 4U, 7U}) {  // 8 of them in three groups of three, one of them twice
-        for (std::size_t k = 0; k < kOutlineGrid / kStep; ++k) fill_least(b, a, s - 1 + kStep * k, least);
-        if (sum_of(least, s) < needed) return false;
-    }
-    for (const std::size_t s : {0U, 2U, 3U, 5U, 6U}) {
-        if (sum_of(least, s) < needed) return false;
-    }
-    return true;
+    for (std::size_t r = 0; r < kOutlineGrid; r += kAtOnce) fill_least(b, a, r, least);
+    int sum = sum_of(least, 0);
+    for (std::size_t s = 1; s < kStep; ++s) sum = std::min(sum, sum_of(least, s));
+    return sum;
 }
 
 }  // namespace
 
-Ways PartsBound::open_ways(const MatchableShape& other, double distance) const {
-    const double outline = kRounding * distance / static_cast<double>(kOutlineWeight);
-    if (outline >= static_cast<double>(kUnaligned)) return {};  // what outlines without matched parts count as
+LeastOutlines PartsBound::least_outlines(const MatchableShape& other) const {
     const OutlineProfile& profile = other.forwards.outline;
     // What differences of one in every bin at every place come to, these two shapes being as complex as they are.
     const OutlineAnchor start;
     const float ones = outline_difference(level_, flat(1, profile.complexity), {&start, 1});
-    const auto needed =
-        static_cast<int>(std::ceil(outline / static_cast<double>(ones) * kPlaces * static_cast<int>(kHeightBins)));
+    const float unit = ones / static_cast<float>(kPlaces * kHeightBins) / kRounding;
     Fixed fixed;
     for (std::size_t j = 0; j < kOutlineGrid; ++j) put(profile, j, fixed, j);
-    return {!all_reach(fixed, forwards_, needed), !all_reach(fixed, backwards_, needed)};
+    // A configuration without matched parts has no alignment.
+    return {std::min(kUnaligned, unit * static_cast<float>(least_sum(fixed, forwards_))),
+            std::min(kUnaligned, unit * static_cast<float>(least_sum(fixed, backwards_)))};
 }
 
 #else
 
-Ways PartsBound::open_ways(const MatchableShape& /*other*/, double /*distance*/) const {
+LeastOutlines PartsBound::least_outlines(const MatchableShape& /*other*/) const {
     return {};
 }
 
