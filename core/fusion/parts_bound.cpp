@@ -23,24 +23,14 @@ OutlineProfile flat(std::uint8_t height, float complexity) {
     return profile;
 }
 
-constexpr int kLevel = 128;  // what heights of nought are stored as, and sums of two
-
-template <std::size_t Points>
-void put(const OutlineProfile& from, std::size_t point, PairedHeights<Points>& to, std::size_t at) {
-    const auto& heights = from.heights[point];
-    for (std::size_t pair = 0; pair < PairedHeights<Points>::kPairs; ++pair) {
-        const int sum = heights[2 * pair] + heights[2 * pair + 1] - kLevel;
-        to.at[at][pair] = static_cast<std::uint8_t>(std::clamp(sum, 0, UINT8_MAX));
-    }
-}
-
 }  // namespace
 
 PartsBound::PartsBound(const MatchableShape& shape) : level_(flat(0, shape.forwards.outline.complexity)) {
+    const PairedHeights backwards = paired_heights(shape.backwards.outline);
     for (std::size_t t = 0; t < 2 * kOutlineGrid; ++t) {
         const std::size_t point = (2 * kOutlineGrid - t) % kOutlineGrid;
-        put(shape.forwards.outline, point, forwards_, t);
-        put(shape.backwards.outline, point, backwards_, t);
+        forwards_[t] = shape.paired[point];
+        backwards_[t] = backwards[point];
     }
 }
 
@@ -48,35 +38,35 @@ PartsBound::PartsBound(const MatchableShape& shape) : level_(flat(0, shape.forwa
 
 namespace {
 
-using Fixed = PairedHeights<kOutlineGrid>;
-using Turning = PairedHeights<2 * kOutlineGrid>;
+using Turning = std::array<PairedHeights::value_type, 2 * kOutlineGrid>;
 using Least = std::array<int, kOutlineGrid>;
 
-constexpr std::size_t kAtOnce = 3;  // sums i + j worked on at once, as rounding mixes three
+constexpr std::size_t kAtOnce = 4;  // sums i + j worked on at once
 
 __attribute__((target("avx2"))) __m256i load_avx2(const std::uint8_t* from) {
     return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
 }
 
-/// least(r), least(r + 1) and least(r + 2), four pairs of points at a time. A difference is below 2^12, so that 16 of
+/// least(r) … least(r + 3), four pairs of points at a time. A difference is below 2^12, so that 16 of
 /// the 64 bits that it comes in can be compared.
-__attribute__((target("avx2"))) void fill_least_avx2(const Fixed& b, const Turning& a, std::size_t r, Least& least) {
+__attribute__((target("avx2"))) void fill_least_avx2(const PairedHeights& b, const Turning& a, std::size_t r,
+                                                     Least& least) {
     __m256i found[kAtOnce];
-#pragma GCC unroll 3
+#pragma GCC unroll 4
     for (__m256i& f : found) f = _mm256_set1_epi64x(INT16_MAX);
     for (std::size_t j = 0; j < kOutlineGrid; j += 4) {
-        const __m256i here = load_avx2(b.at[j].data());
-#pragma GCC unroll 3
+        const __m256i here = load_avx2(b[j].data());
+#pragma GCC unroll 4
         for (std::size_t k = 0; k < kAtOnce; ++k) {
-            const std::size_t t = j + (kOutlineGrid - (r + k) % kOutlineGrid);
-            found[k] = _mm256_min_epi16(found[k], _mm256_sad_epu8(here, load_avx2(a.at[t].data())));
+            const std::size_t t = j + kOutlineGrid - r - k;
+            found[k] = _mm256_min_epi16(found[k], _mm256_sad_epu8(here, load_avx2(a[t].data())));
         }
     }
-#pragma GCC unroll 3
+#pragma GCC unroll 4
     for (std::size_t k = 0; k < kAtOnce; ++k) {
         alignas(32) std::array<std::int64_t, 4> lanes{};
         _mm256_store_si256(reinterpret_cast<__m256i*>(lanes.data()), found[k]);
-        least[(r + k) % kOutlineGrid] = static_cast<int>(*std::min_element(lanes.begin(), lanes.end()));
+        least[r + k] = static_cast<int>(*std::min_element(lanes.begin(), lanes.end()));
     }
 }
 
@@ -85,23 +75,23 @@ __m128i load_sse2(const std::uint8_t* from) {
 }
 
 /// The same two pairs at a time.
-void fill_least_sse2(const Fixed& b, const Turning& a, std::size_t r, Least& least) {
+void fill_least_sse2(const PairedHeights& b, const Turning& a, std::size_t r, Least& least) {
     __m128i found[kAtOnce];
-#pragma GCC unroll 3
+#pragma GCC unroll 4
     for (__m128i& f : found) f = _mm_set1_epi64x(INT16_MAX);
     for (std::size_t j = 0; j < kOutlineGrid; j += 2) {
-        const __m128i here = load_sse2(b.at[j].data());
-#pragma GCC unroll 3
+        const __m128i here = load_sse2(b[j].data());
+#pragma GCC unroll 4
         for (std::size_t k = 0; k < kAtOnce; ++k) {
-            const std::size_t t = j + (kOutlineGrid - (r + k) % kOutlineGrid);
-            found[k] = _mm_min_epi16(found[k], _mm_sad_epu8(here, load_sse2(a.at[t].data())));
+            const std::size_t t = j + kOutlineGrid - r - k;
+            found[k] = _mm_min_epi16(found[k], _mm_sad_epu8(here, load_sse2(a[t].data())));
         }
     }
-#pragma GCC unroll 3
+#pragma GCC unroll 4
     for (std::size_t k = 0; k < kAtOnce; ++k) {
         alignas(16) std::array<std::int64_t, 2> lanes{};
         _mm_store_si128(reinterpret_cast<__m128i*>(lanes.data()), found[k]);
-        least[(r + k) % kOutlineGrid] = static_cast<int>(std::min(lanes[0], lanes[1]));
+        least[r + k] = static_cast<int>(std::min(lanes[0], lanes[1]));
     }
 }
 
@@ -116,7 +106,7 @@ int sum_of(const Least& least, std::size_t s) {
 }
 
 /// The least of sum(0) … sum(7).
-int least_sum(const Fixed& b, const Turning& a) {
+int least_sum(const PairedHeights& b, const Turning& a) {
     static const auto fill_least = __builtin_cpu_supports("avx2") != 0 ? fill_least_avx2 : fill_least_sse2;
     Least least;
     for (std::size_t r = 0; r < kOutlineGrid; r += kAtOnce) fill_least(b, a, r, least);
@@ -133,11 +123,9 @@ LeastOutlines PartsBound::least_outlines(const MatchableShape& other) const {
     const OutlineAnchor start;
     const float ones = outline_difference(level_, flat(1, profile.complexity), {&start, 1});
     const float unit = ones / static_cast<float>(kPlaces * kHeightBins) / kRounding;
-    Fixed fixed;
-    for (std::size_t j = 0; j < kOutlineGrid; ++j) put(profile, j, fixed, j);
     // A configuration without matched parts has no alignment.
-    return {std::min(kUnaligned, unit * static_cast<float>(least_sum(fixed, forwards_))),
-            std::min(kUnaligned, unit * static_cast<float>(least_sum(fixed, backwards_)))};
+    return {std::min(kUnaligned, unit * static_cast<float>(least_sum(other.paired, forwards_))),
+            std::min(kUnaligned, unit * static_cast<float>(least_sum(other.paired, backwards_)))};
 }
 
 #else

@@ -21,13 +21,6 @@
 
 namespace core {
 
-/// Heights of an outline at so many points, two neighbouring bins added up, as far as a byte holds the sum.
-template <std::size_t Points>
-struct PairedHeights {
-    static constexpr std::size_t kPairs = kHeightBins / 2;
-    alignas(32) std::array<std::array<std::uint8_t, kPairs>, Points> at;
-};
-
 /// One shape against many. Immutable after construction; may be used from several threads.
 class PartsBound {
   public:
@@ -41,8 +34,9 @@ class PartsBound {
 
   private:
     /// Points from last to first, twice over, so that all with the same i + j are a run.
-    using Turning = PairedHeights<2 * kOutlineGrid>;
-    Turning forwards_, backwards_;
+    using Turning = std::array<PairedHeights::value_type, 2 * kOutlineGrid>;
+    alignas(64) Turning forwards_;
+    alignas(64) Turning backwards_;
     OutlineProfile level_;  ///< flat, as complex as the shape: to ask what a sum of differences is worth
 };
 

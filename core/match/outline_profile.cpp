@@ -171,6 +171,17 @@ OutlineProfile mirrored(const OutlineProfile& profile) {
     return out;
 }
 
+PairedHeights paired_heights(const OutlineProfile& profile) {
+    PairedHeights out{};
+    for (std::size_t i = 0; i < kOutlineGrid; ++i) {
+        for (std::size_t pair = 0; pair < kHeightBins / 2; ++pair) {
+            const int sum = profile.heights[i][2 * pair] + profile.heights[i][2 * pair + 1] - kLevel;
+            out[i][pair] = static_cast<std::uint8_t>(std::clamp(sum, 0, UINT8_MAX));
+        }
+    }
+    return out;
+}
+
 float outline_difference(const OutlineProfile& a, const OutlineProfile& b, std::span<const OutlineAnchor> anchors,
                          float give_up_at) {
     if (anchors.empty()) return kUnaligned;

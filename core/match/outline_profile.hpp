@@ -38,6 +38,11 @@ struct OutlineProfile {
 /// Profile of the mirror image, read in the opposite direction from the same first point.
 [[nodiscard]] OutlineProfile mirrored(const OutlineProfile& profile);
 
+/// The heights of a profile with two neighbouring bins added up, as far as a byte holds the sum: of two profiles they
+/// differ no more than the heights do.
+using PairedHeights = std::array<std::array<std::uint8_t, kHeightBins / 2>, kOutlineGrid>;
+[[nodiscard]] PairedHeights paired_heights(const OutlineProfile& profile);
+
 /// Places that answer to each other. The first is where the alignment starts.
 struct OutlineAnchor {
     OutlinePlace a = 0, b = 0;

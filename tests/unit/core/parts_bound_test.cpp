@@ -67,6 +67,7 @@ TEST_CASE("the bound of the parts is the same for a mirror image", "[fusion]") {
         core::ComparableShape other = shape_of(support::horse());
         const core::LeastOutlines least = bound.least_outlines(other.parts);
         std::swap(other.parts.forwards, other.parts.backwards);
+        other.parts.paired = core::paired_heights(other.parts.forwards.outline);
         const core::LeastOutlines turned = bound.least_outlines(other.parts);
         CHECK(turned.along == least.against);
         CHECK(turned.against == least.along);
