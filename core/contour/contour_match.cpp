@@ -43,7 +43,7 @@ static_assert(2 * kFramePoints + kBytes <= ContourMatcher::kRow);
 using Points = MatchableContour::Points;
 using Channels = MatchableContour::Channels;
 using TurnBounds = ContourMatcher::TurnBounds;
-using Differences = ContourMatcher::Differences;
+using Spared = ContourMatcher::Spared;
 
 /// They in an array, wherever it lies.
 template <class V>
@@ -77,21 +77,20 @@ void take_off(V& a, const V& b) {
 
 constexpr std::size_t kRounds = ContourMatcher::kRounds, kRound = kFramePoints / kRounds;
 
-/// Writes the differences of one frame of A from all of B, which is kMostOfPair less what is left of it. A row holds
-/// B's points twice and a little, so that every turn is a run in it.
-__attribute__((always_inline)) inline void store_differences(const Bytes (&left)[kRowBlocks], std::uint8_t* row) {
+/// Writes what pairing one frame of A with each of B spares. A row holds B's points twice and a little, so that every
+/// turn is a run in it.
+__attribute__((always_inline)) inline void store_row(const Bytes (&spared)[kRowBlocks], std::uint8_t* row) {
 #pragma GCC unroll 3
     for (std::size_t g = 0; g < kRowBlocks; ++g) {
-        const Bytes sum = static_cast<std::uint8_t>(kMostOfPair) - left[g];
-        store(row + g * kBytes, sum);
-        store(row + kFramePoints + g * kBytes, sum);
-        if (g == 0) store(row + 2 * kFramePoints, sum);
+        store(row + g * kBytes, spared[g]);
+        store(row + kFramePoints + g * kBytes, spared[g]);
     }
+    store(row + 2 * kFramePoints, spared[0]);
 }
 
-/// Differences of a round of frames of A and all of B, and no more than kMostOfPair.
-void fill_differences_plain(const Points& low_a, const Points& high_a, const Channels& low_b, const Channels& high_b,
-                            std::size_t round, Differences& out) {
+/// Of a round of frames of A and all of B: kMostOfPair less their difference, or nought.
+void fill_spared_plain(const Points& low_a, const Points& high_a, const Channels& low_b, const Channels& high_b,
+                       std::size_t round, Spared& out) {
     for (std::size_t i = round * kRound; i < (round + 1) * kRound; ++i) {
         Bytes left[kRowBlocks];  // of kMostOfPair
         for (Bytes& l : left) l = Bytes{} + static_cast<std::uint8_t>(kMostOfPair);
@@ -107,15 +106,14 @@ void fill_differences_plain(const Points& low_a, const Points& high_a, const Cha
                 take_off(left[g], upper);
             }
         }
-        store_differences(left, out[i].data());
+        store_row(left, out[i].data());
     }
 }
 
 #if defined(__x86_64__)
 /// The same in half the instructions, by subtractions that stop at nought.
-__attribute__((target("avx2"))) void fill_differences_avx2(const Points& low_a, const Points& high_a,
-                                                           const Channels& low_b, const Channels& high_b,
-                                                           std::size_t round, Differences& out) {
+__attribute__((target("avx2"))) void fill_spared_avx2(const Points& low_a, const Points& high_a, const Channels& low_b,
+                                                      const Channels& high_b, std::size_t round, Spared& out) {
     const auto at = [](const std::uint8_t* from) { return reinterpret_cast<const __m256i*>(from); };
     for (std::size_t i = round * kRound; i < (round + 1) * kRound; ++i) {
         __m256i left[kRowBlocks];
@@ -132,40 +130,41 @@ __attribute__((target("avx2"))) void fill_differences_avx2(const Points& low_a, 
         }
         Bytes bytes[kRowBlocks];
         std::memcpy(bytes, left, sizeof left);
-        store_differences(bytes, out[i].data());
+        store_row(bytes, out[i].data());
     }
 }
 #endif
 
-void fill_differences(const Points& low_a, const Points& high_a, const Channels& low_b, const Channels& high_b,
-                      std::size_t round, Differences& out) {
+void fill_spared(const Points& low_a, const Points& high_a, const Channels& low_b, const Channels& high_b,
+                 std::size_t round, Spared& out) {
 #if defined(__x86_64__)
     static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-    if (has_avx2) return fill_differences_avx2(low_a, high_a, low_b, high_b, round, out);
+    if (has_avx2) return fill_spared_avx2(low_a, high_a, low_b, high_b, round, out);
 #endif
-    fill_differences_plain(low_a, high_a, low_b, high_b, round, out);
+    fill_spared_plain(low_a, high_a, low_b, high_b, round, out);
 }
 
 /// What alignments by each turn cost at least up to the end of a round of points, from what they did up to its start:
 /// every point of A has a partner within the band, or is left out, and so is one of B.
-CROQUIS_LANES_CLONES int fill_turn_bounds(const Differences& differences, std::size_t round, const TurnBounds& before,
+CROQUIS_LANES_CLONES int fill_turn_bounds(const Spared& spared, std::size_t round, const TurnBounds& before,
                                           TurnBounds& bounds) {
     Shorts sums[2 * kRowBlocks];
     std::memcpy(sums, before.data(), sizeof sums);
+    for (Shorts& sum : sums) sum += static_cast<std::int16_t>(kRound * kMostOfPair);
     for (std::size_t i = round * kRound; i < (round + 1) * kRound; ++i) {
 #pragma GCC unroll 3
         for (std::size_t g = 0; g < kRowBlocks; ++g) {
-            const std::uint8_t* run = &differences[i][i + g * kBytes];
+            const std::uint8_t* run = &spared[i][i + g * kBytes];
             Bytes nearest, next;
             load(nearest, run);
 #pragma GCC unroll 20
             for (std::size_t d = 1; d < kBand; ++d) {
                 load(next, run + d);
-                keep_least(nearest, next);
+                keep_most(nearest, next);
             }
             Half halves[2];
             std::memcpy(halves, &nearest, sizeof nearest);
-            for (std::size_t h = 0; h < 2; ++h) sums[2 * g + h] += __builtin_convertvector(halves[h], Shorts);
+            for (std::size_t h = 0; h < 2; ++h) sums[2 * g + h] -= __builtin_convertvector(halves[h], Shorts);
         }
     }
     std::memcpy(bounds.data(), sums, sizeof sums);
@@ -178,24 +177,25 @@ CROQUIS_LANES_CLONES int fill_turn_bounds(const Differences& differences, std::s
 /// before each round cost at least.
 ///
 /// cost[d] is that of the best alignment of the points of A so far with the same number of points of B and `further` =
-/// d - kStray more, less kLeftOut for each of these: so leaving out one more of B costs nothing here, and the least of
-/// all is the last. One lane for every turn.
-CROQUIS_LANES_CLONES int least_alignment(const Differences& differences, std::size_t block,
+/// d - kStray more, less kLeftOut for each of these and kMostOfPair for each point of A: so leaving out one more of
+/// either costs nothing here, a pair costs less what it spares, and the least of all is the last. One lane for every
+/// turn.
+CROQUIS_LANES_CLONES int least_alignment(const Spared& spared, std::size_t block,
                                          const std::array<TurnBounds, kRounds + 1>& until, int limit) {
-    const Shorts never = Shorts{} + kNever, of_both = Shorts{} + static_cast<std::int16_t>(kMostOfPair);
+    const Shorts never = Shorts{} + kNever;
     Shorts cost[kBand];
     for (std::size_t d = 0; d < kBand; ++d) cost[d] = d < kStray ? never : Shorts{};
     int result = 0;
     for (std::size_t round = 0; round < kRounds && result < limit; ++round) {
         for (std::size_t i = round * kRound; i < (round + 1) * kRound; ++i) {
-            const std::uint8_t* row = &differences[i][i + block * kShorts];
+            const std::uint8_t* row = &spared[i][i + block * kShorts];
             Shorts before = never;
 #pragma GCC unroll 20
             for (std::size_t d = 0; d < kBand; ++d) {
                 Half pair;
                 std::memcpy(&pair, row + d, sizeof pair);
-                Shorts best = cost[d] + __builtin_convertvector(pair, Shorts);
-                if (d + 1 < kBand) keep_least(best, cost[d + 1] + of_both);
+                Shorts best = cost[d] - __builtin_convertvector(pair, Shorts);
+                if (d + 1 < kBand) keep_least(best, cost[d + 1]);
                 keep_least(before, best);
                 cost[d] = before;
             }
@@ -205,23 +205,30 @@ CROQUIS_LANES_CLONES int least_alignment(const Differences& differences, std::si
         load(until_end, &until[kRounds][block * kShorts]);
         load(until_here, &until[round + 1][block * kShorts]);
         const Shorts least = cost[kBand - 1] + (until_end - until_here);
-        result = least_of(least);
+        result = least_of(least) + static_cast<int>((round + 1) * kRound) * kMostOfPair;
     }
-    return result < limit ? least_of(cost[kStray]) : result;
+    return result < limit ? least_of(cost[kStray]) + static_cast<int>(kFramePoints) * kMostOfPair : result;
 }
 
 /// The cover of B twice over, so that every turn is a run in it, and that of its mirror image.
 struct TurningCover {
     std::array<std::array<std::uint8_t, 2 * kPolarSectors>, kPolarRings> straight, mirrored;
-    explicit TurningCover(const ContourDescriptor& b) {
-        for (std::size_t r = 0; r < kPolarRings; ++r) {
-            for (std::size_t twice = 0; twice < 2; ++twice) {
-                std::copy(b.cover[r].begin(), b.cover[r].end(), straight[r].begin() + twice * kPolarSectors);
-                std::reverse_copy(b.cover[r].begin(), b.cover[r].end(), mirrored[r].begin() + twice * kPolarSectors);
-            }
+};
+
+CROQUIS_LANES_CLONES void fill_turning(const ContourDescriptor& b, TurningCover& out) {
+    static_assert(kPolarSectors == sizeof(Bytes));
+    Bytes sectors;
+    for (std::size_t r = 0; r < kPolarRings; ++r) {
+        load(sectors, b.cover[r].data());
+        const Bytes turned =
+            __builtin_shufflevector(sectors, sectors, 31, 30, 29, 28, 27, 26, 25, 24, 23, 22, 21, 20, 19, 18, 17, 16,
+                                    15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
+        for (std::size_t twice = 0; twice < 2; ++twice) {
+            store(&out.straight[r][twice * kPolarSectors], sectors);
+            store(&out.mirrored[r][twice * kPolarSectors], turned);
         }
     }
-};
+}
 
 CROQUIS_LANES_CLONES int least_cover_difference_plain(const ContourDescriptor& a, const TurningCover& b) {
     int least = std::numeric_limits<int>::max();
@@ -269,7 +276,8 @@ __attribute__((target("avx2"))) int least_cover_difference_avx2(const ContourDes
 
 /// Over all turns and both directions.
 int least_cover_difference(const ContourDescriptor& a, const ContourDescriptor& b) {
-    const TurningCover turning(b);
+    TurningCover turning;
+    fill_turning(b, turning);
 #if defined(__x86_64__)
     static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
     if (has_avx2) return least_cover_difference_avx2(a, turning);
@@ -403,13 +411,13 @@ double lower_bound(const MatchableContour& a, const MatchableContour& b) {
     return combined(a, b, std::min(straight, turned), cover);
 }
 
-/// Fills differences_, until_ and blocks_ for A in one direction, or stops where no turn can stay below `limit`.
+/// Fills spared_, until_ and blocks_ for A in one direction, or stops where no turn can stay below `limit`.
 void ContourMatcher::bound_turns(std::size_t direction, const MatchableContour::Points& low,
                                  const MatchableContour::Points& high, const MatchableContour& b, int limit) {
     auto& until = until_[direction];
     for (std::size_t round = 0; round < kRounds; ++round) {
-        fill_differences(low, high, b.low, b.high, round, differences_[direction]);
-        if (fill_turn_bounds(differences_[direction], round, until[round], until[round + 1]) >= limit) return;
+        fill_spared(low, high, b.low, b.high, round, spared_[direction]);
+        if (fill_turn_bounds(spared_[direction], round, until[round], until[round + 1]) >= limit) return;
     }
     for (std::size_t k = 0; k < kBlocks; ++k) {
         const std::int16_t* first = &until[kRounds][k * kShorts];
@@ -435,7 +443,7 @@ double ContourMatcher::distance(const MatchableContour& a, const MatchableContou
     if (block_count_ > 0) ++aligned_pairs_;
     for (std::size_t k = 0; k < block_count_ && blocks_[k].bound < alignment; ++k) {
         const auto [of_block, direction, block] = blocks_[k];
-        alignment = std::min(alignment, least_alignment(differences_[direction], block, until_[direction], alignment));
+        alignment = std::min(alignment, least_alignment(spared_[direction], block, until_[direction], alignment));
     }
     return combined(a, b, alignment, cover);
 }

@@ -65,9 +65,10 @@ class ContourMatcher {
     /// How many pairs of shapes no bound has spared their alignment so far.
     [[nodiscard]] std::size_t aligned_pairs() const { return aligned_pairs_; }
 
-    /// Of differences: B's points twice and a little more, so that every turn is a run in it.
+    /// B's points twice and a little more, so that every turn is a run in it.
     static constexpr std::size_t kRow = 2 * kFramePoints + 32;
-    using Differences = std::array<std::array<std::uint8_t, kRow>, kFramePoints>;  ///< A's points x B's
+    /// A's points x B's: what pairing them spares against leaving both out.
+    using Spared = std::array<std::array<std::uint8_t, kRow>, kFramePoints>;
     /// A sum for every turn; those past a whole turn mean nothing.
     using TurnBounds = std::array<std::int16_t, MatchableContour::kRow>;
     /// A's points are worked on in rounds: long before the last of them those so far say whether the alignment can
@@ -85,7 +86,7 @@ class ContourMatcher {
 
     // Of both directions of A:
     MatchableContour::Points mirrored_low_{}, mirrored_high_{};
-    alignas(64) std::array<Differences, 2> differences_{};
+    alignas(64) std::array<Spared, 2> spared_{};
     std::array<std::array<TurnBounds, kRounds + 1>, 2> until_{};  // what the points before a round cost at least
     std::array<Block, 2 * kFramePoints / 16> blocks_{};
     std::size_t block_count_ = 0;

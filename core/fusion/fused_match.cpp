@@ -1,5 +1,7 @@
 #include "core/fusion/fused_match.hpp"
 
+#include <algorithm>
+
 namespace core {
 
 Result<OutlineReadings> read_outline(const Polygon& contour, const ShapeParameters& parameters) {
@@ -34,9 +36,11 @@ double FusedMatcher::distance_from(double contour, const ComparableShape& a, con
                                    const ComparableShape& b, double give_up_at) {
     if (contour >= give_up_at || contour == 0.0) return contour;
     const double limit = parts_limit(contour, give_up_at);
-    const Ways open = bound.open_ways(b.parts, limit);
-    if (open.none()) return give_up_at;
-    return fused_distance(parts_.distance(a.parts, b.parts, limit, open), contour);
+    const LeastOutlines least = bound.least_outlines(b.parts);
+    if (configuration_distance(0.0F, std::min(least.along, least.against)) >= static_cast<float>(limit)) {
+        return give_up_at;
+    }
+    return fused_distance(parts_.distance(a.parts, b.parts, limit, least), contour);
 }
 
 double FusedMatcher::distance(const ComparableShape& a, const ComparableShape& b, double give_up_at) {

@@ -11,9 +11,9 @@ namespace core {
 
 namespace {
 
-constexpr int kPlaces = 64;  // of outline_difference
+constexpr std::size_t kPlaces = 64;  // of outline_difference
 constexpr std::size_t kStep = 2 * kOutlineGrid / kPlaces;
-constexpr double kRounding = 1.0001;  // far above what sums of floats are rounded by
+constexpr float kRounding = 1.0001F;  // far above what sums of floats are rounded by
 
 /// A profile of one height everywhere.
 OutlineProfile flat(std::uint8_t height, float complexity) {
@@ -23,24 +23,14 @@ OutlineProfile flat(std::uint8_t height, float complexity) {
     return profile;
 }
 
-constexpr int kLevel = 128;  // what heights of nought are stored as, and sums of two
-
-template <std::size_t Points>
-void put(const OutlineProfile& from, std::size_t point, PairedHeights<Points>& to, std::size_t at) {
-    const auto& heights = from.heights[point];
-    for (std::size_t pair = 0; pair < PairedHeights<Points>::kPairs; ++pair) {
-        const int sum = heights[2 * pair] + heights[2 * pair + 1] - kLevel;
-        to.at[at][pair] = static_cast<std::uint8_t>(std::clamp(sum, 0, UINT8_MAX));
-    }
-}
-
 }  // namespace
 
 PartsBound::PartsBound(const MatchableShape& shape) : level_(flat(0, shape.forwards.outline.complexity)) {
+    const PairedHeights backwards = paired_heights(shape.backwards.outline);
     for (std::size_t t = 0; t < 2 * kOutlineGrid; ++t) {
         const std::size_t point = (2 * kOutlineGrid - t) % kOutlineGrid;
-        put(shape.forwards.outline, point, forwards_, t);
-        put(shape.backwards.outline, point, backwards_, t);
+        forwards_[t] = shape.paired[point];
+        backwards_[t] = backwards[point];
     }
 }
 
@@ -48,35 +38,35 @@ PartsBound::PartsBound(const MatchableShape& shape) : level_(flat(0, shape.forwa
 
 namespace {
 
-using Fixed = PairedHeights<kOutlineGrid>;
-using Turning = PairedHeights<2 * kOutlineGrid>;
+using Turning = std::array<PairedHeights::value_type, 2 * kOutlineGrid>;
 using Least = std::array<int, kOutlineGrid>;
 
-constexpr std::size_t kAtOnce = 3;  // sums i + j worked on at once, as rounding mixes three
+constexpr std::size_t kAtOnce = 4;  // sums i + j worked on at once
 
 __attribute__((target("avx2"))) __m256i load_avx2(const std::uint8_t* from) {
     return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
 }
 
-/// least(r), least(r + 1) and least(r + 2), four pairs of points at a time. A difference is below 2^12, so that 16 of
+/// least(r) … least(r + 3), four pairs of points at a time. A difference is below 2^12, so that 16 of
 /// the 64 bits that it comes in can be compared.
-__attribute__((target("avx2"))) void fill_least_avx2(const Fixed& b, const Turning& a, std::size_t r, Least& least) {
+__attribute__((target("avx2"))) void fill_least_avx2(const PairedHeights& b, const Turning& a, std::size_t r,
+                                                     Least& least) {
     __m256i found[kAtOnce];
-#pragma GCC unroll 3
+#pragma GCC unroll 4
     for (__m256i& f : found) f = _mm256_set1_epi64x(INT16_MAX);
     for (std::size_t j = 0; j < kOutlineGrid; j += 4) {
-        const __m256i here = load_avx2(b.at[j].data());
-#pragma GCC unroll 3
+        const __m256i here = load_avx2(b[j].data());
+#pragma GCC unroll 4
         for (std::size_t k = 0; k < kAtOnce; ++k) {
-            const std::size_t t = j + (kOutlineGrid - (r + k) % kOutlineGrid);
-            found[k] = _mm256_min_epi16(found[k], _mm256_sad_epu8(here, load_avx2(a.at[t].data())));
+            const std::size_t t = j + kOutlineGrid - r - k;
+            found[k] = _mm256_min_epi16(found[k], _mm256_sad_epu8(here, load_avx2(a[t].data())));
         }
     }
-#pragma GCC unroll 3
+#pragma GCC unroll 4
     for (std::size_t k = 0; k < kAtOnce; ++k) {
         alignas(32) std::array<std::int64_t, 4> lanes{};
         _mm256_store_si256(reinterpret_cast<__m256i*>(lanes.data()), found[k]);
-        least[(r + k) % kOutlineGrid] = static_cast<int>(*std::min_element(lanes.begin(), lanes.end()));
+        least[r + k] = static_cast<int>(*std::min_element(lanes.begin(), lanes.end()));
     }
 }
 
@@ -85,23 +75,23 @@ __m128i load_sse2(const std::uint8_t* from) {
 }
 
 /// The same two pairs at a time.
-void fill_least_sse2(const Fixed& b, const Turning& a, std::size_t r, Least& least) {
+void fill_least_sse2(const PairedHeights& b, const Turning& a, std::size_t r, Least& least) {
     __m128i found[kAtOnce];
-#pragma GCC unroll 3
+#pragma GCC unroll 4
     for (__m128i& f : found) f = _mm_set1_epi64x(INT16_MAX);
     for (std::size_t j = 0; j < kOutlineGrid; j += 2) {
-        const __m128i here = load_sse2(b.at[j].data());
-#pragma GCC unroll 3
+        const __m128i here = load_sse2(b[j].data());
+#pragma GCC unroll 4
         for (std::size_t k = 0; k < kAtOnce; ++k) {
-            const std::size_t t = j + (kOutlineGrid - (r + k) % kOutlineGrid);
-            found[k] = _mm_min_epi16(found[k], _mm_sad_epu8(here, load_sse2(a.at[t].data())));
+            const std::size_t t = j + kOutlineGrid - r - k;
+            found[k] = _mm_min_epi16(found[k], _mm_sad_epu8(here, load_sse2(a[t].data())));
         }
     }
-#pragma GCC unroll 3
+#pragma GCC unroll 4
     for (std::size_t k = 0; k < kAtOnce; ++k) {
         alignas(16) std::array<std::int64_t, 2> lanes{};
         _mm_store_si128(reinterpret_cast<__m128i*>(lanes.data()), found[k]);
-        least[(r + k) % kOutlineGrid] = static_cast<int>(std::min(lanes[0], lanes[1]));
+        least[r + k] = static_cast<int>(std::min(lanes[0], lanes[1]));
     }
 }
 
@@ -115,39 +105,32 @@ int sum_of(const Least& least, std::size_t s) {
     return 2 * sum;
 }
 
-/// Whether sum(0) … sum(7) all reach `needed`; given up at the first that is known not to.
-bool all_reach(const Fixed& b, const Turning& a, int needed) {
+/// The least of sum(0) … sum(7).
+int least_sum(const PairedHeights& b, const Turning& a) {
     static const auto fill_least = __builtin_cpu_supports("avx2") != 0 ? fill_least_avx2 : fill_least_sse2;
     Least least;
-    for (const std::size_t s : {1U, 4U, 7U}) {  // 8 of them in three groups of three, one of them twice
-        for (std::size_t k = 0; k < kOutlineGrid / kStep; ++k) fill_least(b, a, s - 1 + kStep * k, least);
-        if (sum_of(least, s) < needed) return false;
-    }
-    for (const std::size_t s : {0U, 2U, 3U, 5U, 6U}) {
-        if (sum_of(least, s) < needed) return false;
-    }
-    return true;
+    for (std::size_t r = 0; r < kOutlineGrid; r += kAtOnce) fill_least(b, a, r, least);
+    int sum = sum_of(least, 0);
+    for (std::size_t s = 1; s < kStep; ++s) sum = std::min(sum, sum_of(least, s));
+    return sum;
 }
 
 }  // namespace
 
-Ways PartsBound::open_ways(const MatchableShape& other, double distance) const {
-    const double outline = kRounding * distance / static_cast<double>(kOutlineWeight);
-    if (outline >= static_cast<double>(kUnaligned)) return {};  // what outlines without matched parts count as
+LeastOutlines PartsBound::least_outlines(const MatchableShape& other) const {
     const OutlineProfile& profile = other.forwards.outline;
     // What differences of one in every bin at every place come to, these two shapes being as complex as they are.
     const OutlineAnchor start;
     const float ones = outline_difference(level_, flat(1, profile.complexity), {&start, 1});
-    const auto needed =
-        static_cast<int>(std::ceil(outline / static_cast<double>(ones) * kPlaces * static_cast<int>(kHeightBins)));
-    Fixed fixed;
-    for (std::size_t j = 0; j < kOutlineGrid; ++j) put(profile, j, fixed, j);
-    return {!all_reach(fixed, forwards_, needed), !all_reach(fixed, backwards_, needed)};
+    const float unit = ones / static_cast<float>(kPlaces * kHeightBins) / kRounding;
+    // A configuration without matched parts has no alignment.
+    return {std::min(kUnaligned, unit * static_cast<float>(least_sum(other.paired, forwards_))),
+            std::min(kUnaligned, unit * static_cast<float>(least_sum(other.paired, backwards_)))};
 }
 
 #else
 
-Ways PartsBound::open_ways(const MatchableShape& /*other*/, double /*distance*/) const {
+LeastOutlines PartsBound::least_outlines(const MatchableShape& /*other*/) const {
     return {};
 }
 

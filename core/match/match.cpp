@@ -35,6 +35,12 @@ float configuration_distance(float parts, float outline) {
 
 namespace {
 
+/// The parts' cost with which an outline difference reaches `distance`.
+float parts_within(float distance, float outline) {
+    const float share = std::min(1.0F, outline / kNearlyEqual);
+    return share > 0.0F ? (distance - kOutlineWeight * outline) / share : std::numeric_limits<float>::infinity();
+}
+
 /// The outline difference with which these parts reach `distance`.
 float outline_within(float distance, float parts) {
     const float beyond = (distance - parts) / kOutlineWeight;
@@ -68,18 +74,23 @@ float Matcher::outline_along(const PartRing& a, const PartRing& b, float give_up
     return outline;
 }
 
-/// Of equal configurations the first wins.
-void Matcher::try_cuts(const PartRing& a, const PartRing& b, bool reversed) {
+/// Of equal configurations the first wins. One that cannot come below the best, whatever its outlines differ by beyond
+/// `least_outline`, is not looked at further.
+void Matcher::try_cuts(const PartRing& a, const PartRing& b, bool reversed, float least_outline) {
     compared_count_ = 0;
     const float all = a.norms + b.norms, unit = std::sqrt(all);
     for (const OpenedRing& open_b : b.opened) {
+        if (parts_within(best_.distance, least_outline) <= 0.0F) return;
         matrix_.set_cut(a, open_b, reversed);
         for (const OpenedRing& open_a : a.opened) {
-            const float cost =
-                std::max(0.0F, all + matrix_.solve(a, open_a, open_b, std::numeric_limits<float>::infinity()));
-            matrix_.trace(a, open_a, b, open_b, chain_);
+            const float most = parts_within(best_.distance, least_outline) * unit - all + kRounding * all;
+            const float gain = matrix_.solve(a, open_a, open_b, most);
+            if (gain >= most) continue;
+            const float cost = std::max(0.0F, all + gain);
             const float parts = cost / unit;
             const float spare = outline_within(best_.distance, parts);
+            if (least_outline >= spare) continue;
+            matrix_.trace(a, open_a, b, open_b, chain_);
             const float outline = outline_along(a, b, spare);
             if (outline >= spare) continue;
             const float distance = configuration_distance(parts, outline);
@@ -93,24 +104,24 @@ void Matcher::try_cuts(const PartRing& a, const PartRing& b, bool reversed) {
     }
 }
 
-void Matcher::try_both(const MatchableShape& a, const MatchableShape& b, float give_up_at, Ways open) {
+void Matcher::try_both(const MatchableShape& a, const MatchableShape& b, float give_up_at, LeastOutlines least) {
     best_.distance = give_up_at;
     best_.chain.clear();
     matrix_.set_rings(a.forwards, b.forwards);
-    if (open.along) try_cuts(a.forwards, b.forwards, false);
-    if (open.against) try_cuts(a.forwards, b.backwards, true);
+    try_cuts(a.forwards, b.forwards, false, least.along);
+    try_cuts(a.forwards, b.backwards, true, least.against);
 }
 
-double Matcher::distance(const MatchableShape& a, const MatchableShape& b, double give_up_at, Ways open) {
+double Matcher::distance(const MatchableShape& a, const MatchableShape& b, double give_up_at, LeastOutlines least) {
     const bool swapped = !in_order(a.forwards, b.forwards);
-    try_both(swapped ? b : a, swapped ? a : b, static_cast<float>(give_up_at), open);
+    try_both(swapped ? b : a, swapped ? a : b, static_cast<float>(give_up_at), least);
     return best_.distance;
 }
 
 double Matcher::asymmetry(const MatchableShape& shape) {
     best_.distance = std::numeric_limits<float>::infinity();
     matrix_.set_rings(shape.forwards, shape.forwards);
-    try_cuts(shape.forwards, shape.backwards, true);
+    try_cuts(shape.forwards, shape.backwards, true, 0.0F);
     return best_.distance;
 }
 

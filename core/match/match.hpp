@@ -67,19 +67,19 @@ struct Match {
     double left_out_cost = 0.0;  ///< sum of their norms
 };
 
-/// Which way round B may be read: as A is, or the other way.
-struct Ways {
-    bool along = true, against = true;
-    [[nodiscard]] bool none() const { return !along && !against; }
+/// What the outlines of a configuration are known to differ by at least, with B read as A is and the other way round.
+struct LeastOutlines {
+    float along = 0.0F, against = 0.0F;
 };
 
 /// Working memory that is kept from one pair of shapes to the next; one per thread.
 class Matcher {
   public:
-    /// The distance alone. As soon as it cannot come below `give_up_at`, give_up_at comes back. Configurations that
-    /// read B in a way that is not open are passed over: they must be known to give no less than `give_up_at`.
+    /// The distance alone. As soon as it cannot come below `give_up_at`, give_up_at comes back: the sooner, the more is
+    /// known about the outlines.
     [[nodiscard]] double distance(const MatchableShape& a, const MatchableShape& b,
-                                  double give_up_at = std::numeric_limits<double>::infinity(), Ways open = {});
+                                  double give_up_at = std::numeric_limits<double>::infinity(),
+                                  LeastOutlines least = {});
     /// Distance and correspondence.
     [[nodiscard]] Match match(const MatchableShape& a, const MatchableShape& b);
     /// Distance of a shape to its own clockwise reading: how asymmetric it is (7.1.2). 0 for a symmetric shape.
@@ -98,8 +98,8 @@ class Matcher {
         Chain chain;
     };
 
-    void try_cuts(const PartRing& a, const PartRing& b, bool reversed);
-    void try_both(const MatchableShape& a, const MatchableShape& b, float give_up_at, Ways open = {});
+    void try_cuts(const PartRing& a, const PartRing& b, bool reversed, float least_outline);
+    void try_both(const MatchableShape& a, const MatchableShape& b, float give_up_at, LeastOutlines least = {});
     float outline_along(const PartRing& a, const PartRing& b, float give_up_at);
 
     DecisionMatrix matrix_;

@@ -17,7 +17,6 @@ namespace {
 constexpr std::size_t kBinWidth = kOutlineGrid / kHeightBins;
 constexpr std::size_t kTangentReach = 3;    // grid points to either side that the tangent is taken over
 constexpr std::uint32_t kComparisons = 64;  // places compared
-constexpr int kSlack = 3;                   // grid points
 constexpr float kComplexityFloor = 0.3F;    // keeps smooth outlines comparable: those of discs are near 0
 constexpr std::uint32_t kTurn = 1U << 16U;  // once round, in places
 constexpr int kLevel = 128;                 // a height of nought
@@ -52,40 +51,54 @@ std::vector<std::array<double, kHeightBins>> raw_heights(const Polygon& grid) {
     return raw;
 }
 
+/// Adds up, place by place, the least difference at two grid points or with both moved against each other by the slack.
+/// A point is given by the one kOutlineSlack before it.
+class SlackSum {
+  public:
+    SlackSum(const OutlineProfile& a, const OutlineProfile& b) : a_(a.heights.data()), b_(b.heights.data()) {}
+    [[nodiscard]] int sum() const { return sum_of(sum_); }
+    void add(std::uint8_t before_a, std::uint8_t before_b) {
+        constexpr std::size_t kOn = 2 * kOutlineSlack;
+        const Heights *a = a_ + before_a, *b = b_ + before_b;
+        add_least(differences(a[kOutlineSlack], b[kOutlineSlack]), differences(a[kOn], b[0]),
+                  differences(a[0], b[kOn]));
+    }
+
+  private:
 #if defined(__SSE2__)
-__m128i differences(const Heights& a, const Heights& b) {
-    return _mm_sad_epu8(_mm_loadu_si128(reinterpret_cast<const __m128i*>(a.data())),
-                        _mm_loadu_si128(reinterpret_cast<const __m128i*>(b.data())));
-}
-
-int least_sum(__m128i p, __m128i q, __m128i r) {
-    // Two half sums each; pairs of halves are laid side by side, so that one addition serves two candidates.
-    const __m128i pq = _mm_add_epi64(_mm_unpacklo_epi64(p, q), _mm_unpackhi_epi64(p, q));
-    const __m128i rr = _mm_add_epi64(_mm_unpacklo_epi64(r, r), _mm_unpackhi_epi64(r, r));
-    const __m128i least = _mm_min_epi16(pq, rr);  // sums are below 2^12
-    return std::min(_mm_cvtsi128_si32(least), _mm_extract_epi16(least, 4));
-}
+    using Sum = __m128i;  // the same in both halves
+    static int sum_of(Sum sum) {
+        return _mm_cvtsi128_si32(sum);
+    }
+    static __m128i differences(const Heights& a, const Heights& b) {
+        return _mm_sad_epu8(_mm_load_si128(reinterpret_cast<const __m128i*>(a.data())),
+                            _mm_load_si128(reinterpret_cast<const __m128i*>(b.data())));
+    }
+    void add_least(__m128i p, __m128i q, __m128i r) {
+        // Two half sums each; pairs of halves are laid side by side, so that one addition serves two candidates.
+        const __m128i pq = _mm_add_epi64(_mm_unpacklo_epi64(p, q), _mm_unpackhi_epi64(p, q));
+        const __m128i rr = _mm_add_epi64(r, _mm_shuffle_epi32(r, _MM_SHUFFLE(1, 0, 3, 2)));
+        const __m128i least = _mm_min_epi16(pq, rr);  // sums are below 2^12
+        sum_ = _mm_add_epi64(sum_, _mm_min_epi16(least, _mm_shuffle_epi32(least, _MM_SHUFFLE(1, 0, 3, 2))));
+    }
+    Sum sum_ = _mm_setzero_si128();
 #else
-int differences(const Heights& a, const Heights& b) {
-    int sum = 0;
-    for (std::size_t bin = 0; bin < kHeightBins; ++bin) sum += std::abs(int{a[bin]} - int{b[bin]});
-    return sum;
-}
-
-int least_sum(int p, int q, int r) {
-    return std::min(p, std::min(q, r));
-}
+    using Sum = int;
+    static int sum_of(Sum sum) {
+        return sum;
+    }
+    static int differences(const Heights& a, const Heights& b) {
+        int sum = 0;
+        for (std::size_t bin = 0; bin < kHeightBins; ++bin) sum += std::abs(int{a[bin]} - int{b[bin]});
+        return sum;
+    }
+    void add_least(int p, int q, int r) {
+        sum_ += std::min(p, std::min(q, r));
+    }
+    Sum sum_ = 0;
 #endif
-
-/// The least difference at these grid points or with both moved against each other by the slack. Grid points are eight
-/// bits and wrap round by themselves.
-int slack_difference(const OutlineProfile& a, const OutlineProfile& b, std::uint8_t at_a, std::uint8_t at_b) {
-    static_assert(kOutlineGrid == 256);
-    const auto a_on = static_cast<std::uint8_t>(at_a + kSlack), a_back = static_cast<std::uint8_t>(at_a - kSlack);
-    const auto b_on = static_cast<std::uint8_t>(at_b + kSlack), b_back = static_cast<std::uint8_t>(at_b - kSlack);
-    return least_sum(differences(a.heights[at_a], b.heights[at_b]), differences(a.heights[a_on], b.heights[b_back]),
-                     differences(a.heights[a_back], b.heights[b_on]));
-}
+    const Heights *a_, *b_;
+};
 
 /// How far on from the first anchor, on both outlines: anchors never step back, and a full turn is not none.
 struct Progress {
@@ -105,37 +118,66 @@ class Alignment {
         advance();
     }
 
+    /// The grid points kOutlineSlack before the nearest ones.
     struct GridPoints {
-        std::uint8_t a = 0, b = 0;
+        std::uint8_t before_a = 0, before_b = 0;
     };
     /// `place` grows from call to call and is below 2 kTurn.
     GridPoints at(std::uint32_t place) {
-        while (to_.middle() <= place && next_ < anchors_.size()) advance();
-        const auto share = static_cast<std::uint32_t>((place - from_.middle()) * per_place_ >> 16U);
-        return {nearest(start_.a, from_.a + ((to_.a - from_.a) * share >> 15U)),
-                nearest(start_.b, from_.b + ((to_.b - from_.b) * share >> 15U))};
+        while (until_ <= place && next_ < anchors_.size()) advance();
+        const auto share = static_cast<std::uint32_t>((place - since_) * per_place_ >> 16U);
+        return {a_.before(share), b_.before(share)};
     }
 
   private:
+    /// A stretch of one outline.
+    struct Stretch {
+        std::uint32_t from = 0, length = 0;
+        Stretch() = default;
+        Stretch(OutlinePlace start, std::uint32_t since, std::uint32_t until)
+            : from(start + since + kHalfPoint - (static_cast<std::uint32_t>(kOutlineSlack) << kPointBits)),
+              length(until - since) {}
+        /// So much of 2^15 of the way.
+        [[nodiscard]] std::uint8_t before(std::uint32_t share) const {
+            return static_cast<std::uint8_t>((from + (length * share >> 15U)) >> kPointBits);
+        }
+    };
+    static constexpr std::uint32_t kPointBits = 8, kHalfPoint = 1U << (kPointBits - 1);  // places of a grid point
+    static_assert(kOutlineGrid << kPointBits == kTurn && kOutlineGrid == 256);           // wraps round by itself
+
     void advance() {
-        from_ = to_;
+        const Progress from = to_;
         ++next_;
         to_ = next_ >= anchors_.size()
                   ? Progress{kTurn, kTurn}
-                  : Progress{step_on(from_.a, static_cast<OutlinePlace>(anchors_[next_].a - start_.a)),
-                             step_on(from_.b, static_cast<OutlinePlace>(anchors_[next_].b - start_.b))};
-        per_place_ = (std::uint64_t{1} << 31U) / std::max(1U, to_.middle() - from_.middle());
-    }
-    static std::uint8_t nearest(OutlinePlace start, std::uint32_t progress) {
-        return static_cast<std::uint8_t>((start + progress + 128U) >> 8U);
+                  : Progress{step_on(from.a, static_cast<OutlinePlace>(anchors_[next_].a - start_.a)),
+                             step_on(from.b, static_cast<OutlinePlace>(anchors_[next_].b - start_.b))};
+        since_ = from.middle();
+        until_ = to_.middle();
+        per_place_ = (std::uint64_t{1} << 31U) / std::max(1U, until_ - since_);
+        a_ = Stretch(start_.a, from.a, to_.a);
+        b_ = Stretch(start_.b, from.b, to_.b);
     }
 
     std::span<const OutlineAnchor> anchors_;
     OutlineAnchor start_;
-    Progress from_, to_;
-    std::size_t next_ = 0;         // the anchor at to_
-    std::uint64_t per_place_ = 0;  // 2^31 / length of the stretch
+    Progress to_;
+    std::size_t next_ = 0;  // the anchor at to_
+    // The stretch before it, in twice the mean of both progresses.
+    std::uint32_t since_ = 0, until_ = 0;
+    std::uint64_t per_place_ = 0;  // 2^31 / length
+    Stretch a_, b_;
 };
+
+}  // namespace
+
+namespace {
+
+void repeat_first(OutlineProfile& profile) {
+    for (std::size_t i = kOutlineGrid; i < profile.heights.size(); ++i) {
+        profile.heights[i] = profile.heights[i - kOutlineGrid];
+    }
+}
 
 }  // namespace
 
@@ -158,6 +200,7 @@ OutlineProfile outline_profile(const Polygon& ring) {
         deviations += std::sqrt(std::max(0.0, squares / kOutlineGrid - mean * mean));
     }
     profile.complexity = static_cast<float>(deviations / kHeightBins);
+    repeat_first(profile);
     return profile;
 }
 
@@ -167,6 +210,18 @@ OutlineProfile mirrored(const OutlineProfile& profile) {
     for (std::size_t i = 0; i < kOutlineGrid; ++i) {
         const Heights& from = profile.heights[(kOutlineGrid - i) % kOutlineGrid];
         std::reverse_copy(from.begin(), from.end(), out.heights[i].begin());
+    }
+    repeat_first(out);
+    return out;
+}
+
+PairedHeights paired_heights(const OutlineProfile& profile) {
+    PairedHeights out{};
+    for (std::size_t i = 0; i < kOutlineGrid; ++i) {
+        for (std::size_t pair = 0; pair < kHeightBins / 2; ++pair) {
+            const int sum = profile.heights[i][2 * pair] + profile.heights[i][2 * pair + 1] - kLevel;
+            out[i][pair] = static_cast<std::uint8_t>(std::clamp(sum, 0, UINT8_MAX));
+        }
     }
     return out;
 }
@@ -182,13 +237,13 @@ float outline_difference(const OutlineProfile& a, const OutlineProfile& b, std::
     const float unit = kUnit / (kComplexityFloor + (a.complexity + b.complexity));
     const float limit = give_up_at / unit;
     Alignment alignment(anchors);
-    int sum = 0;
+    SlackSum sum(a, b);
     for (std::uint32_t i = 0; i < kComparisons; ++i) {
         const Alignment::GridPoints at = alignment.at(i * (2 * kTurn / kComparisons));
-        sum += slack_difference(a, b, at.a, at.b);
-        if (i % 8 == 7 && static_cast<float>(sum) >= limit) return give_up_at;
+        sum.add(at.before_a, at.before_b);
+        if (i % 8 == 7 && static_cast<float>(sum.sum()) >= limit) return give_up_at;
     }
-    return static_cast<float>(sum) * unit;
+    return static_cast<float>(sum.sum()) * unit;
 }
 
 namespace {

@@ -22,12 +22,14 @@ namespace core {
 using OutlinePlace = std::uint16_t;
 
 inline constexpr std::size_t kOutlineGrid = 256;  ///< points an outline is seen from: places >> 8
+inline constexpr std::size_t kOutlineSlack = 3;   ///< grid points that outlines may be moved against each other by
 inline constexpr std::size_t kHeightBins = 16;    ///< stretches of the outline, one after the other from the point on
 
 /// Heights of the stretches over the tangent, from every point of the grid. Each bin is divided by its greatest height
 /// on this outline, so that size does not count, and weighted by one over the root of how far it lies from the point.
 struct OutlineProfile {
-    std::array<std::array<std::uint8_t, kHeightBins>, kOutlineGrid> heights{};  ///< 128: level with the point
+    /// 128: level with the point. The first points are there once more at the end, so that no slack runs over it.
+    alignas(16) std::array<std::array<std::uint8_t, kHeightBins>, kOutlineGrid + 2 * kOutlineSlack> heights{};
     float complexity = 0.0F;  ///< mean over the bins of the standard deviation of heights, in [0, 1]
     friend bool operator==(const OutlineProfile&, const OutlineProfile&) = default;
 };
@@ -37,6 +39,11 @@ struct OutlineProfile {
 
 /// Profile of the mirror image, read in the opposite direction from the same first point.
 [[nodiscard]] OutlineProfile mirrored(const OutlineProfile& profile);
+
+/// The heights of a profile with two neighbouring bins added up, as far as a byte holds the sum: of two profiles they
+/// differ no more than the heights do.
+using PairedHeights = std::array<std::array<std::uint8_t, kHeightBins / 2>, kOutlineGrid>;
+[[nodiscard]] PairedHeights paired_heights(const OutlineProfile& profile);
 
 /// Places that answer to each other. The first is where the alignment starts.
 struct OutlineAnchor {

@@ -200,7 +200,9 @@ class RingBuilder {
 
 MatchableShape matchable(const ShapeDescriptor& shape, const ShapeParameters& parameters) {
     const RingBuilder builder(shape, parameters);
-    return {builder.ring(false), builder.ring(true)};
+    MatchableShape out{builder.ring(false), builder.ring(true), {}};
+    out.paired = paired_heights(out.forwards.outline);
+    return out;
 }
 
 float node_distance(const RingPart& a, const RingPart& b) {

@@ -73,8 +73,9 @@ struct PartRing {
 
 /// Both readings of one shape.
 struct MatchableShape {
-    PartRing forwards;   ///< anti-clockwise
-    PartRing backwards;  ///< clockwise: what the mirror image would read
+    PartRing forwards;       ///< anti-clockwise
+    PartRing backwards;      ///< clockwise: what the mirror image would read
+    PairedHeights paired{};  ///< of the outline forwards: for bounds
 };
 
 /// Quadratic in the number of parts.

@@ -47,10 +47,11 @@ TEST_CASE("the bound of the parts never exceeds their distance", "[fusion]") {
         const core::PartsBound bound(a.parts);
         for (const core::ComparableShape& b : all) {
             const double distance = matcher.distance(a.parts, b.parts);
-            const core::Ways open = bound.open_ways(b.parts, 1.001 * distance + 1e-3);
-            CHECK(matcher.distance(a.parts, b.parts, kInfinity, open) == distance);
+            const core::LeastOutlines least = bound.least_outlines(b.parts);
+            CHECK(matcher.distance(a.parts, b.parts, kInfinity, least) == distance);
+            CHECK(matcher.distance(a.parts, b.parts, 1.001 * distance + 1e-3, least) == distance);
             ++pairs;
-            if (bound.open_ways(b.parts, 0.2 * distance).none()) ++told;
+            if (core::configuration_distance(0.0F, std::min(least.along, least.against)) > 0.2 * distance) ++told;
         }
     }
 #if defined(__SSE2__)
@@ -64,23 +65,22 @@ TEST_CASE("the bound of the parts is the same for a mirror image", "[fusion]") {
     for (unsigned n = 0; n < 4; ++n) {
         const core::PartsBound bound(shape_of(uneven_star(n)).parts);
         core::ComparableShape other = shape_of(support::horse());
-        for (const double distance : {5.0, 10.0, 15.0, 20.0, 30.0, 45.0}) {
-            const core::Ways open = bound.open_ways(other.parts, distance);
-            std::swap(other.parts.forwards, other.parts.backwards);
-            const core::Ways turned = bound.open_ways(other.parts, distance);
-            CHECK(turned.along == open.against);
-            CHECK(turned.against == open.along);
-        }
+        const core::LeastOutlines least = bound.least_outlines(other.parts);
+        std::swap(other.parts.forwards, other.parts.backwards);
+        other.parts.paired = core::paired_heights(other.parts.forwards.outline);
+        const core::LeastOutlines turned = bound.least_outlines(other.parts);
+        CHECK(turned.along == least.against);
+        CHECK(turned.against == least.along);
     }
 }
 
-TEST_CASE("the bound of the parts tells nothing where nothing can be told", "[fusion]") {
-    const core::ComparableShape horse = shape_of(support::horse()), disc = shape_of(support::disc(60, 10));
-    const core::PartsBound bound(horse.parts);
-    CHECK(bound.open_ways(horse.parts, 1e-6).along);
-    const core::Ways open = bound.open_ways(disc.parts, kInfinity);
-    CHECK(open.along);
-    CHECK(open.against);
+TEST_CASE("a shape may have its own outline, and none is told to differ more than outlines without parts", "[fusion]") {
+    const core::ComparableShape horse = shape_of(support::horse());
+    CHECK(core::PartsBound(horse.parts).least_outlines(horse.parts).along == 0.0F);
+    for (const core::ComparableShape& other : shapes()) {
+        const core::LeastOutlines least = core::PartsBound(horse.parts).least_outlines(other.parts);
+        CHECK(std::max(least.along, least.against) <= core::kUnaligned);
+    }
 }
 
 TEST_CASE("a bound changes no fused distance below the limit", "[fusion]") {
