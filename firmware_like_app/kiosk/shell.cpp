@@ -100,8 +100,11 @@ void Shell::entered(std::int64_t now_us) {
     if (station_.behind() != Scene::Detail) detail_.close(painter_);
     detail_.cancel_pointer();
     pin_lock_.clear();
-    desk_.cancel_pointer();
-    if (scene_ == Scene::Operator) desk_.open();
+    if (scene_ == Scene::Operator) {
+        desk_.open();
+    } else {
+        desk_.leave();
+    }
 }
 
 /// What the operator sets holds from the next visitor on; times at once.

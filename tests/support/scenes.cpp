@@ -112,6 +112,17 @@ std::vector<NamedScene> make_scenes() {
              k.type("000000");
              k.wait(0.1);
          }},
+        {"station-align-de", in_language(2),
+         [](KioskStand& k) {
+             to_pin(k);
+             app::StationFacts facts;
+             facts.tablets = {"Huion Kamvas Pro 16"};
+             k.shell->set_facts(facts);
+             k.type("000000");
+             k.wait(0.1);
+             k.press_station(ui::StationAction::Align);
+             k.wait(0.1);
+         }},
         {"cleaning",
          {},
          [](KioskStand& k) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct WindowEvent {
     bool pen = false;     ///< of a tablet; a Move without a Down before it is one that hovers
     bool eraser = false;  ///< the pen's other end
     double zoom = 0.0;    ///< of Zoom: doublings of the size
+    /// How far the pen leans from upright, radians; nothing where the tablet does not say.
+    std::optional<double> tilt_rad = {};
 };
 
 struct WindowOptions {
