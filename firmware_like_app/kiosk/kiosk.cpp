@@ -22,7 +22,7 @@ constexpr std::array<int, 3> kEarly{40, 60, 80};
 constexpr std::size_t kEarlyShown = 10;
 constexpr std::int64_t kReplayRest_us = 2'500'000;  // in a window, for people to see the result
 constexpr ui::SizePx kDefaultSize{1920, 1080};
-constexpr std::int64_t kCollectionLook_us = 250'000;
+constexpr std::int64_t kCollectionLook_us = 250'000, kInputLook_us = 2'000'000;
 constexpr std::int64_t kDay_us = 86'400'000'000;
 
 double ms_since(std::chrono::steady_clock::time_point start) {
@@ -200,6 +200,10 @@ class Loop {
         collection_seen_us_ = surface_.now_us();
         const CollectionStatus status = collection_.status();
         tell_facts();
+        if (surface_.now_us() - input_seen_us_ >= kInputLook_us) {
+            input_seen_us_ = surface_.now_us();
+            shell_.set_no_input(pens_.tablets().empty() ? surface_.no_input_code() : "", surface_.now_us());
+        }
         shell_.set_collection(status.state, {status.done, status.total, status.minutes_left}, surface_.now_us());
     }
 
@@ -339,7 +343,7 @@ class Loop {
     Shell& shell_;
     PenDesk& pens_;
     CollectionHost& collection_;
-    std::int64_t collection_seen_us_ = -kCollectionLook_us;
+    std::int64_t collection_seen_us_ = -kCollectionLook_us, input_seen_us_ = -kInputLook_us;
     ReplayPlayer player_;
     DrawingRecorder recorder_;
     core::Drawing last_drawing_;

@@ -158,6 +158,7 @@ void Shell::note_board() {
 }
 
 ui::Notice Shell::notice() const {
+    if (!station_.input_is_there()) return ui::Notice::NoInput;
     switch (station_.collection()) {
         case CollectionState::Building:
             return ui::Notice::Building;
@@ -320,6 +321,13 @@ void Shell::set_tablet(bool there, std::int64_t now_us) {
     go_on(now_us);
 }
 
+void Shell::set_no_input(const std::string& code, std::int64_t now_us) {
+    if (code == no_input_code_) return;
+    no_input_code_ = code;
+    station_.set_input(code.empty(), now_us);
+    go_on(now_us);
+}
+
 void Shell::expect_tablet(std::int64_t now_us) {
     station_.expect_tablet(now_us);
     go_on(now_us);
@@ -370,6 +378,7 @@ ui::NoticeState Shell::notice_state() const {
     state.language = find_.language();
     state.pressed = touch_.pressed();
     state.pressed_item = touch_.pressed_item();
+    state.code = no_input_code_;
     state.done = progress_.done;
     state.total = progress_.total;
     state.minutes_left = progress_.minutes_left;

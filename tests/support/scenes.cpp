@@ -149,6 +149,11 @@ std::vector<NamedScene> make_scenes() {
              k.shell->expect_tablet(k.now_us);
              k.wait(0.05);
          }},
+        {"no-input-de", in_language(2),
+         [](KioskStand& k) {
+             k.shell->set_no_input("I2", k.now_us);
+             k.wait(0.05);
+         }},
         {"no-models", with(CollectionState::Empty), nothing},
         {"missing", with(CollectionState::Missing), nothing},
         {"damaged", with(CollectionState::Damaged), nothing},

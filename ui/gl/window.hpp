@@ -64,6 +64,8 @@ class Window : public Context {
     [[nodiscard]] virtual std::int64_t now_us() const = 0;
     /// False while minimised or hidden: nothing needs to be drawn then.
     [[nodiscard]] virtual bool visible() const = 0;
+    /// Whether input comes from a desktop, which sees to it, and not from the devices themselves (KMSDRM).
+    [[nodiscard]] virtual bool has_desktop() const = 0;
 };
 
 }  // namespace ui
