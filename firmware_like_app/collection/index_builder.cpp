@@ -82,7 +82,7 @@ class Builder {
             [&](std::size_t i, Outcome outcome) {
                 if (!take(files[i], std::move(outcome))) return false;
                 if (batch_.size() >= kBatchModels || since_stored_.ms() > kBatchMs) stored = store();
-                if (progress) progress({.done = i + 1, .total = files.size()});
+                if (progress) progress({.done = i + 1, .total = files.size(), .failed = &report_.failed});
                 return stored.has_value();
             });
         if (stored) stored = store();

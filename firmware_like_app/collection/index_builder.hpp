@@ -34,6 +34,7 @@ struct IndexBuildReport {
 struct IndexBuildProgress {
     std::size_t done = 0;  ///< files, or models
     std::size_t total = 0;
+    const std::vector<PassedOver>* failed = nullptr;  ///< so far; only while it is told
     bool measuring = false;  ///< models are described; who is near to whom is being measured (likeness_lists.hpp)
 };
 

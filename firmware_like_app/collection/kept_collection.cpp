@@ -122,7 +122,7 @@ void KeptCollection::begin(std::vector<std::string> paths) {
         const std::lock_guard lock(mutex_);
         if (status_.importing || !status_.can_add) return;
         status_.importing = true;
-        status_.done = status_.total = 0;
+        status_.done = status_.total = status_.unreadable = 0;
         status_.minutes_left.reset();
         status_.ended.reset();
     }
@@ -142,6 +142,14 @@ void KeptCollection::import(const std::vector<std::string>& paths, const std::st
             const std::lock_guard lock(mutex_);
             status_.done = static_cast<std::int64_t>(progress.done);
             status_.total = static_cast<std::int64_t>(progress.total);
+            if (progress.failed != nullptr) {  // said at once; all of them again when it is over
+                for (auto i = static_cast<std::size_t>(status_.unreadable); i < progress.failed->size(); ++i) {
+                    const PassedOver& file = (*progress.failed)[i];
+                    if (status_.problems.size() < kMostProblems)
+                        status_.problems.push_back(file.file + ": " + file.why);
+                }
+                status_.unreadable = static_cast<std::int64_t>(progress.failed->size());
+            }
             if (progress.done > 0 && watch.ms() > kTellAfter_ms) {
                 const double left_ms = watch.ms() / static_cast<double>(progress.done) *
                                        static_cast<double>(progress.total - progress.done);

@@ -41,7 +41,8 @@ struct Config {
         bool expected = false;
         std::string turn = "none";
         std::string pressure = "normal";
-        std::vector<double> area;  ///< left, top, right, bottom; empty: all
+        std::vector<double> area;   ///< left, top, right, bottom; empty: all
+        std::vector<double> align;  ///< six numbers, see input::CalibrationOptions::align; empty: as it is
     } tablet;
     struct {
         std::string pin = "000000";

@@ -1,6 +1,7 @@
 #include "firmware_like_app/config/options.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace app {
@@ -24,6 +25,15 @@ std::string check_area(const Config& config) {
     const bool inside = std::all_of(a.begin(), a.end(), [](double v) { return v >= -0.5 && v <= 1.5; });
     if (a.size() == 4 && inside && a[0] < a[2] && a[1] < a[3]) return "";
     return "it must be four shares, left, top, right, bottom, with left < right and top < bottom, such as [0, 0, 1, 1]";
+}
+
+std::string check_align(const Config& config) {
+    const std::vector<double>& a = config.tablet.align;
+    if (a.empty()) return "";
+    const bool small = std::all_of(a.begin(), a.end(), [](double v) { return std::abs(v) <= 2; });
+    if (a.size() == 6 && small && std::abs(a[0] * a[4] - a[1] * a[3]) >= 0.1) return "";
+    return "it must be six numbers, none beyond 2, such as [1, 0, 0, 0, 1, 0]; align pen and screen on the station "
+           "page";
 }
 
 std::string check_size(const Config& config) {
@@ -116,10 +126,18 @@ std::vector<Option> make_options() {
     o.push_back(Option{
         "tablet", "area",
         "The part of the tablet that is the screen: left, top, right, bottom, as shares.\nEmpty: as much of it as has "
-        "the screen's shape. Aligning pen and screen writes this.",
+        "the screen's shape.",
         Numbers([](Config& c) -> std::vector<double>& {
             return c.tablet.area;
         })}.checked_by(check_area));
+    o.push_back(Option{
+        "tablet", "align",
+        "What \"Align pen and screen\" on the station page found: six numbers, x' = a x + b y + c and\ny' = d x + e y "
+        "+ f "
+        "in shares of the screen. Empty: the pen is where the tablet says.",
+        Numbers([](Config& c) -> std::vector<double>& {
+            return c.tablet.align;
+        })}.checked_by(check_align));
 
     o.push_back(Option{
         "station", "pin",

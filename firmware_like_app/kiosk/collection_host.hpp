@@ -20,6 +20,7 @@ struct CollectionStatus {
 
     bool importing = false;
     std::int64_t done = 0, total = 0;      ///< files of the import that runs
+    std::int64_t unreadable = 0;           ///< of those that are done
     std::optional<int> minutes_left = {};  ///< nothing while that cannot be told
     /// Of the last import that ended.
     struct Ended {

@@ -22,7 +22,7 @@ constexpr std::array<int, 3> kEarly{40, 60, 80};
 constexpr std::size_t kEarlyShown = 10;
 constexpr std::int64_t kReplayRest_us = 2'500'000;  // in a window, for people to see the result
 constexpr ui::SizePx kDefaultSize{1920, 1080};
-constexpr std::int64_t kCollectionLook_us = 250'000;
+constexpr std::int64_t kCollectionLook_us = 250'000, kInputLook_us = 2'000'000;
 constexpr std::int64_t kDay_us = 86'400'000'000;
 
 double ms_since(std::chrono::steady_clock::time_point start) {
@@ -69,7 +69,10 @@ class Loop {
                 draw_frame();
                 frame_due_ = false;
             }
-            surface_.next_frame(drawn, [this] { shell_.use_spare_time(); });
+            surface_.next_frame(drawn, [this, drawn] {
+                note_shown(drawn);
+                shell_.use_spare_time();
+            });
             if (player_.ended() && (options_.headless || (options_.end_after_replays && !replays_.empty()))) break;
         }
         if (!options_.headless) record();
@@ -92,7 +95,10 @@ class Loop {
     void point() {
         const std::vector<ui::WindowEvent> events =
             pens_.merge(surface_.poll(), surface_.size(), shell_.sheet(), surface_.now_us());
-        for (const ui::WindowEvent& event : events) handle(event);
+        for (const ui::WindowEvent& event : events) {
+            if (event.pen && event.kind == ui::WindowEvent::Kind::Move) not_shown_us_.push_back(event.time_us);
+            handle(event);
+        }
         shell_.set_tablet(!pens_.tablets().empty(), surface_.now_us());
         if (pens_.pen_near()) shell_.pen_near(false, surface_.now_us());
         find_.look_ahead(pens_.predicted());
@@ -150,6 +156,25 @@ class Loop {
         if (!options_.headless && find_.sketch().empty()) record();
     }
 
+    /// How long the pen's reports took to the screen, the last 200 of them. What changed nothing there does not count.
+    void note_shown(bool drawn) {
+        for (const std::int64_t time_us : not_shown_us_) {
+            if (!drawn) break;
+            to_screen_ms_[to_screen_count_++ % to_screen_ms_.size()] =
+                static_cast<double>(surface_.now_us() - time_us) * 1e-3;
+        }
+        not_shown_us_.clear();
+    }
+
+    [[nodiscard]] std::optional<double> pen_to_screen_ms() const {
+        if (to_screen_count_ < to_screen_ms_.size() / 4) return std::nullopt;
+        auto ms = to_screen_ms_;
+        const auto end = ms.begin() + static_cast<std::ptrdiff_t>(std::min(to_screen_count_, ms.size()));
+        const auto middle = ms.begin() + (end - ms.begin()) / 2;
+        std::nth_element(ms.begin(), middle, end);
+        return *middle;
+    }
+
     /// For the station page.
     void tell_facts() {
         StationFacts facts;
@@ -161,6 +186,7 @@ class Loop {
         facts.running_s = (now_us - start_us_) / 1'000'000;
         facts.worst_frame_ms = worst_today_ms_;
         facts.renderer = report_.renderer;
+        facts.pen_to_screen_ms = pen_to_screen_ms();
         for (const DeskTablet& tablet : pens_.tablets()) {
             facts.tablets.push_back(tablet.name);
             facts.pen_asleep = facts.pen_asleep || tablet.asleep;
@@ -174,6 +200,10 @@ class Loop {
         collection_seen_us_ = surface_.now_us();
         const CollectionStatus status = collection_.status();
         tell_facts();
+        if (surface_.now_us() - input_seen_us_ >= kInputLook_us) {
+            input_seen_us_ = surface_.now_us();
+            shell_.set_no_input(pens_.tablets().empty() ? surface_.no_input_code() : "", surface_.now_us());
+        }
         shell_.set_collection(status.state, {status.done, status.total, status.minutes_left}, surface_.now_us());
     }
 
@@ -313,13 +343,16 @@ class Loop {
     Shell& shell_;
     PenDesk& pens_;
     CollectionHost& collection_;
-    std::int64_t collection_seen_us_ = -kCollectionLook_us;
+    std::int64_t collection_seen_us_ = -kCollectionLook_us, input_seen_us_ = -kInputLook_us;
     ReplayPlayer player_;
     DrawingRecorder recorder_;
     core::Drawing last_drawing_;
     std::uint64_t noted_revision_ = 0;
     KioskReport report_;
     core::Result<void> failure_;
+    std::vector<std::int64_t> not_shown_us_;  // pen reports since the last frame
+    std::array<double, 200> to_screen_ms_{};
+    std::size_t to_screen_count_ = 0;
     std::int64_t start_us_ = 0, day_start_us_ = 0;
     double worst_today_ms_ = 0;
     std::uint64_t searches_before_ = 0;

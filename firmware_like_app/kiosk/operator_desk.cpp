@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <numbers>
 #include <utility>
 
 #include "core/exchange/mesh_reader.hpp"
@@ -75,7 +77,16 @@ void OperatorDesk::open() {
     trail_.clear();
     pressure_ = scroll_ = 0;
     looked_us_ = 0;
+    aligned_.reset();
+    across_.reset();
+    tilt_rad_.reset();
+    leave();
+}
+
+void OperatorDesk::leave() {
     cancel_pointer();
+    if (!std::exchange(aligning_, std::nullopt)) return;
+    if (setup_.changed) setup_.changed(setup_.config);  // the alignment that was put aside
 }
 
 void OperatorDesk::cancel_pointer() {
@@ -96,6 +107,7 @@ void OperatorDesk::pointer(const ui::WindowEvent& event, const ui::StationState&
         report_times_us_.push_back(event.time_us);
         if (report_times_us_.size() > 200) report_times_us_.erase(report_times_us_.begin());
     }
+    if (aligning_ && event.pen) return align_with(event, screen);
     if (event.kind == Kind::Zoom) {
         scroll_ = std::clamp(scroll_ - event.zoom * 400, 0.0, most_scroll_);
         return;
@@ -130,6 +142,8 @@ void OperatorDesk::pointer(const ui::WindowEvent& event, const ui::StationState&
     if (scroll_grip_) scroll_ = std::clamp(*scroll_grip_ - event.y, 0.0, most_scroll_);
     if (testing_) {
         pressure_ = event.pressure;
+        tilt_rad_ = event.tilt_rad;
+        across_ = core::Point{event.x / screen.width * 100, event.y / screen.height * 100};
         const double radius = ui::ink_radius_px(event.pressure, 9);
         const core::Point p{event.x, event.y}, from = last_point_.value_or(p);
         if (!last_point_) last_radius_ = radius;
@@ -140,6 +154,64 @@ void OperatorDesk::pointer(const ui::WindowEvent& event, const ui::StationState&
     }
 }
 
+/// The pen goes by what the tablet says while the crosses are touched, so that an earlier alignment does no harm.
+void OperatorDesk::begin_aligning() {
+    aligned_.reset();
+    aligning_ = Aligning{};
+    Config plain = setup_.config;
+    plain.tablet.align.clear();
+    if (setup_.changed) setup_.changed(plain);
+}
+
+void OperatorDesk::align_with(const ui::WindowEvent& event, ui::SizePx screen) {
+    using Kind = ui::WindowEvent::Kind;
+    constexpr double kReach = 0.2;  // of the screen: what lies farther from the cross is for the button
+    const core::Point p{event.x / screen.width, event.y / screen.height};
+    const core::Point cross = cross_at(aligning_->hits.size());
+    if (event.kind == Kind::Down) {
+        aligning_->touch.clear();
+        if (std::abs(p.x - cross.x) <= kReach && std::abs(p.y - cross.y) <= kReach) {
+            aligning_->touch.push_back(p);
+        } else {
+            (void)touch_.press(build(state(0, event.time_us), screen).targets, event.x, event.y);
+        }
+    } else if (event.kind == Kind::Move) {
+        touch_.move(event.x, event.y);
+        if (!aligning_->touch.empty()) aligning_->touch.push_back(p);
+    } else if (event.kind == Kind::Up) {
+        if (const std::optional<ui::Intent> intent = touch_.release()) return act(intent->item);
+        if (aligning_->touch.empty()) return;
+        core::Point mean;
+        for (const core::Point& q : aligning_->touch)
+            mean = mean + q * (1.0 / static_cast<double>(aligning_->touch.size()));
+        aligning_->touch.clear();
+        aligning_->hits.push_back({cross, mean});
+        if (aligning_->hits.size() == kCrossCount) finish_aligning(static_cast<double>(screen.width) / screen.height);
+    } else {
+        touch_.cancel();
+    }
+}
+
+void OperatorDesk::finish_aligning(double aspect) {
+    const AlignmentFit fit = fit_alignment(aligning_->hits, aspect);
+    aligned_ = fit.fault;
+    if (fit.fault != AlignmentFit::Fault::None) return leave();
+    aligning_.reset();
+    std::string numbers;
+    for (const double v : fit.align) {
+        std::array<char, 32> text{};
+        std::snprintf(text.data(), text.size(), "%s%.6f", numbers.empty() ? "[" : ", ", v);
+        numbers += text.data();
+    }
+    change("tablet.align", numbers + "]");
+}
+
+std::string OperatorDesk::align_words(const ui::Strings& words) const {
+    if (!aligned_) return "";
+    if (*aligned_ == AlignmentFit::Fault::None) return words["align_done"];
+    return words[*aligned_ == AlignmentFit::Fault::Missed ? "align_failed" : "align_far_off"];
+}
+
 void OperatorDesk::update(std::int64_t now_us) {
     if (exit_since_us_ && now_us - *exit_since_us_ >= kHold_us) {
         exit_since_us_.reset();
@@ -147,6 +219,16 @@ void OperatorDesk::update(std::int64_t now_us) {
     }
     if (looked_us_ != 0 && now_us - looked_us_ < kLook_us) return;
     looked_us_ = std::max<std::int64_t>(now_us, 1);
+    const CollectionStatus status = setup_.collection != nullptr ? setup_.collection->status() : CollectionStatus{};
+    if (!status.importing) {
+        import_began_.reset();
+        per_minute_.reset();
+    } else if (!import_began_) {
+        import_began_ = Progress{now_us, status.done};
+    } else if (now_us - import_began_->at_us >= kLook_us && status.done > import_began_->done) {
+        per_minute_ = static_cast<double>(status.done - import_began_->done) * 60e6 /
+                      static_cast<double>(now_us - import_began_->at_us);
+    }
     memory_mb_ = resident_mb();
     disk_gb_ = free_disk_gb(setup_.config.collection.database.empty() ? "." : setup_.config.collection.database);
 }
@@ -185,7 +267,7 @@ void OperatorDesk::act(std::size_t item) {
             if (folder_.has_parent_path()) show_folder(folder_.parent_path());
             break;
         case StationAction::Folder:
-            if (index < folders_.size()) show_folder(fs::path(folders_[index]));
+            if (first_folder_ + index < folders_.size()) show_folder(fs::path(folders_[first_folder_ + index]));
             break;
         case StationAction::AddThese:
             if (setup_.collection != nullptr) setup_.collection->add(folder_.string());
@@ -214,6 +296,20 @@ void OperatorDesk::act(std::size_t item) {
             break;
         case StationAction::SaveReport:
             save_report();
+            break;
+        case StationAction::Align:
+            begin_aligning();
+            break;
+        case StationAction::LeaveAlign:
+            leave();
+            break;
+        case StationAction::Earlier:
+            first_folder_ -= std::min(first_folder_, ui::kFolderRows);
+            show_rows();
+            break;
+        case StationAction::Later:
+            if (first_folder_ + ui::kFolderRows < folders_.size()) first_folder_ += ui::kFolderRows;
+            show_rows();
             break;
     }
 }
@@ -246,13 +342,23 @@ void OperatorDesk::show_folder(const fs::path& folder) {
         if (it->is_directory(not_there) && it->path().filename().string()[0] != '.') folders_.push_back(it->path());
     }
     std::sort(folders_.begin(), folders_.end());
-    if (folders_.size() > ui::kFolderRows) folders_.resize(ui::kFolderRows);
+    first_folder_ = 0;
     ui::StationState::List list;
     list.folders = true;
     list.title = folder_.string();
-    for (const fs::path& path : folders_) list.rows.push_back(path.filename().string());
+    list.all = folders_.size();
     list.model_files = folder_ == folder_.root_path() ? 0 : count_models(folder_);
     list_ = std::move(list);
+    show_rows();
+}
+
+void OperatorDesk::show_rows() {
+    if (!list_) return;
+    list_->first = first_folder_;
+    list_->rows.clear();
+    for (std::size_t i = first_folder_; i < std::min(folders_.size(), first_folder_ + ui::kFolderRows); ++i) {
+        list_->rows.push_back(folders_[i].filename().string());
+    }
 }
 
 void OperatorDesk::show_problems() {
@@ -343,8 +449,15 @@ ui::StationState OperatorDesk::state(std::size_t language, std::int64_t now_us) 
         const double span_s = static_cast<double>(report_times_us_.back() - report_times_us_.front()) / 1e6;
         if (span_s > 0) s.report_rate_hz = static_cast<double>(report_times_us_.size() - 1) / span_s;
     }
+    s.pen_to_screen_ms = facts_.pen_to_screen_ms;
     s.pressure = pressure_;
+    if (tilt_rad_) s.tilt_deg = std::round(*tilt_rad_ * 180 / std::numbers::pi);
+    s.across = across_;
     s.trail = trail_;
+    s.can_align = s.tablet_there;
+    s.align_message = align_words(words);
+    if (aligning_)
+        s.align = ui::StationState::Align{aligning_->hits.size(), kCrossCount, cross_at(aligning_->hits.size())};
     s.curve =
         static_cast<std::size_t>(std::find(kCurves.begin(), kCurves.end(), config.tablet.pressure) - kCurves.begin());
     if (setup_.collection != nullptr) {
@@ -359,6 +472,8 @@ ui::StationState OperatorDesk::state(std::size_t language, std::int64_t now_us) 
         s.done = status.done;
         s.total = status.total;
         s.minutes_left = status.minutes_left;
+        s.unreadable = status.unreadable;
+        s.per_minute = per_minute_;
         s.import_ended = ended_words(status, words);
     }
     s.open_list = list_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "firmware_like_app/config/config.hpp"
+#include "firmware_like_app/kiosk/alignment.hpp"
 #include "firmware_like_app/kiosk/collection_host.hpp"
 #include "ui/gl/window.hpp"
 #include "ui/screens/station_screen.hpp"
@@ -21,7 +22,8 @@ struct StationFacts {
     std::string renderer;
     std::vector<std::string> tablets;  ///< names
     bool pen_asleep = false;
-    std::vector<std::string> problems;  ///< with tablets, in sentences
+    std::optional<double> pen_to_screen_ms;  ///< of the last reports, median
+    std::vector<std::string> problems;       ///< with tablets, in sentences
 };
 
 class OperatorDesk {
@@ -41,6 +43,8 @@ class OperatorDesk {
     void open();
     void pointer(const ui::WindowEvent& event, const ui::StationState& state, ui::SizePx screen);
     void cancel_pointer();
+    /// The page is left: what was not finished is as it was before.
+    void leave();
     /// Once a frame.
     void update(std::int64_t now_us);
     [[nodiscard]] std::optional<Wish> take_wish() { return std::exchange(wish_, std::nullopt); }
@@ -62,6 +66,11 @@ class OperatorDesk {
     void show_problems();
     void run_self_test();
     void save_report();
+    void show_rows();
+    void begin_aligning();
+    void align_with(const ui::WindowEvent& event, ui::SizePx screen);
+    void finish_aligning(double aspect);
+    [[nodiscard]] std::string align_words(const ui::Strings& words) const;
     [[nodiscard]] std::string report_text() const;
     [[nodiscard]] std::string ended_words(const CollectionStatus& status, const ui::Strings& words) const;
 
@@ -72,6 +81,14 @@ class OperatorDesk {
     std::optional<ui::StationState::List> list_;
     std::filesystem::path folder_;
     std::vector<std::filesystem::path> folders_;
+    std::size_t first_folder_ = 0;
+    /// Pen and screen while they are aligned.
+    struct Aligning {
+        std::vector<CrossHit> hits;
+        std::vector<core::Point> touch;  ///< shares of the screen, since the tip came down
+    };
+    std::optional<Aligning> aligning_;
+    std::optional<AlignmentFit::Fault> aligned_;  ///< how the last try ended
     enum class Message { None, Tested, Saved, NotSaved } message_ = Message::None;
     std::string message_value_;
     std::optional<Wish> wish_;
@@ -85,6 +102,13 @@ class OperatorDesk {
     double last_radius_ = 0, pressure_ = 0;
     std::vector<ui::InkPiece> trail_;
     std::vector<std::int64_t> report_times_us_;
+    std::optional<double> tilt_rad_;
+    std::optional<core::Point> across_;
+    struct Progress {
+        std::int64_t at_us = 0, done = 0;
+    };
+    std::optional<Progress> import_began_;
+    std::optional<double> per_minute_;
     double memory_mb_ = 0, disk_gb_ = 0;
     std::int64_t looked_us_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "firmware_like_app/kiosk/pen_desk.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "input/sources/tablet_hub.hpp"
@@ -146,6 +147,9 @@ ui::WindowEvent PenDesk::event_of(Event::Kind kind, const input::PenSample& samp
     event.pen = true;
     event.eraser = sample.eraser();
     event.button = (sample.buttons & input::kBarrel1) != 0;
+    if (sample.tilt_x_rad && sample.tilt_y_rad) {
+        event.tilt_rad = std::atan(std::hypot(std::tan(*sample.tilt_x_rad), std::tan(*sample.tilt_y_rad)));
+    }
     return event;
 }
 

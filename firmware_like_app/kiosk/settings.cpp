@@ -1,5 +1,7 @@
 #include "firmware_like_app/kiosk/settings.hpp"
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
@@ -39,6 +41,8 @@ input::PipelineOptions pens_of(const Config& config) {
     if (turn == "left") pens.calibration.turn = input::Turn::Left;
     const std::vector<double>& area = config.tablet.area;
     if (area.size() == 4) pens.calibration.area = {area[0], area[1], area[2], area[3]};
+    const std::vector<double>& align = config.tablet.align;
+    if (align.size() == 6) std::copy(align.begin(), align.end(), pens.calibration.align.begin());
     return pens;
 }
 

@@ -105,8 +105,11 @@ void Shell::entered(std::int64_t now_us) {
     if (station_.behind() != Scene::Detail) detail_.close(painter_);
     detail_.cancel_pointer();
     pin_lock_.clear();
-    desk_.cancel_pointer();
-    if (scene_ == Scene::Operator) desk_.open();
+    if (scene_ == Scene::Operator) {
+        desk_.open();
+    } else {
+        desk_.leave();
+    }
 }
 
 /// What the operator sets holds from the next visitor on; times at once.
@@ -162,6 +165,7 @@ void Shell::note_board() {
 }
 
 ui::Notice Shell::notice() const {
+    if (!station_.input_is_there()) return ui::Notice::NoInput;
     switch (station_.collection()) {
         case CollectionState::Building:
             return ui::Notice::Building;
@@ -355,6 +359,13 @@ void Shell::set_tablet(bool there, std::int64_t now_us) {
     go_on(now_us);
 }
 
+void Shell::set_no_input(const std::string& code, std::int64_t now_us) {
+    if (code == no_input_code_) return;
+    no_input_code_ = code;
+    station_.set_input(code.empty(), now_us);
+    go_on(now_us);
+}
+
 void Shell::expect_tablet(std::int64_t now_us) {
     station_.expect_tablet(now_us);
     go_on(now_us);
@@ -407,6 +418,7 @@ ui::NoticeState Shell::notice_state() const {
     state.language = mode().language();
     state.pressed = touch_.pressed();
     state.pressed_item = touch_.pressed_item();
+    state.code = no_input_code_;
     state.done = progress_.done;
     state.total = progress_.total;
     state.minutes_left = progress_.minutes_left;

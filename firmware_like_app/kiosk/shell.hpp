@@ -67,6 +67,8 @@ class Shell {
     void set_collection(CollectionState state, const CollectionProgress& progress, std::int64_t now_us);
     void set_tablet(bool there, std::int64_t now_us);
     void expect_tablet(std::int64_t now_us);
+    /// `code`: why no input can come, for whoever is called; empty when some can.
+    void set_no_input(const std::string& code, std::int64_t now_us);
     /// The operator's wishes for the program as a whole.
     [[nodiscard]] bool exit_wanted() const { return exit_wanted_; }
     [[nodiscard]] bool restart_wanted() const { return restart_wanted_; }
@@ -158,6 +160,7 @@ class Shell {
     Scene scene_ = Scene::Notice;  // that was entered last
     std::uint64_t wipes_ = 0;
     CollectionProgress progress_;
+    std::string no_input_code_;
     std::optional<Shown> shown_;
     enum class Drawn { Nothing, Own, Find } drawn_ = Drawn::Nothing;  // whose painter knows what the last frame holds
 };

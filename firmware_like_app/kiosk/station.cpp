@@ -13,7 +13,7 @@ Station::Station(const StationTimes& times, CollectionState collection, std::int
       pen_moved_us_(now_us) {}
 
 Scene Station::home() const {
-    return collection_ == CollectionState::Ready && !tablet_is_missed() ? Scene::Attract : Scene::Notice;
+    return input_ && collection_ == CollectionState::Ready && !tablet_is_missed() ? Scene::Attract : Scene::Notice;
 }
 
 void Station::go(Scene scene, std::int64_t now_us) {
@@ -50,7 +50,13 @@ void Station::expect_tablet(std::int64_t now_us) {
     if (at_home() && scene_ != home()) go(home(), now_us);
 }
 
+void Station::set_input(bool there, std::int64_t now_us) {
+    input_ = there;
+    if (at_home() && scene_ != home()) go(home(), now_us);
+}
+
 void Station::touched(std::int64_t now_us) {
+    if (!input_) set_input(true, now_us);  // here it is
     present_us_ = pen_moved_us_ = now_us;
     visited_ = true;
 }

@@ -50,6 +50,9 @@ class Station {
     /// only.
     void set_tablet(bool there, std::int64_t now_us);
     void expect_tablet(std::int64_t now_us);
+    /// Whether anything at all can reach the program: where nothing can, home says so.
+    void set_input(bool there, std::int64_t now_us);
+    [[nodiscard]] bool input_is_there() const { return input_; }
     /// Whether something would be lost by a wipe.
     void set_has_work(bool has_work) { has_work_ = has_work; }
     /// Whether the mode in use is Garment.
@@ -91,7 +94,7 @@ class Station {
     StationTimes times_;
     CollectionState collection_;
     Scene scene_, behind_ = Scene::Attract;
-    bool tablet_ = false, tablet_expected_ = false;
+    bool tablet_ = false, tablet_expected_ = false, input_ = true;
     bool has_work_ = false, garment_ = false, busy_ = false;
     bool visited_ = false;  // touched since the last wipe: a language may have been chosen
     std::uint64_t wipes_ = 0;

@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "firmware_like_app/kiosk/input_fault.hpp"
 #include "ui/gl/headless_context.hpp"
 
 namespace app {
@@ -22,6 +23,7 @@ class WindowSurface final : public Surface {
     std::vector<ui::WindowEvent> poll() override { return window_->poll(); }
     std::int64_t now_us() const override { return window_->now_us(); }
     bool shows_frames() const override { return window_->visible(); }
+    std::string no_input_code() const override { return window_->has_desktop() ? "" : input_fault("/dev/input"); }
     bool bind() override {
         kept_ = drawn_ && target_.size() == size();
         if (target_.size() != size()) target_ = ui::Target(size(), ui::PixelFormat::Colour);
@@ -66,6 +68,7 @@ class HeadlessSurface final : public Surface {
     std::vector<ui::WindowEvent> poll() override { return {}; }
     std::int64_t now_us() const override { return now_us_; }
     bool shows_frames() const override { return false; }
+    std::string no_input_code() const override { return {}; }
     bool bind() override {
         target_.bind();
         kept_ = std::exchange(drawn_, true);

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/silhouette/image.hpp"
@@ -21,6 +22,8 @@ class Surface {
     [[nodiscard]] virtual std::int64_t now_us() const = 0;
     /// Whether every frame is seen, so that it must be drawn.
     [[nodiscard]] virtual bool shows_frames() const = 0;
+    /// Why no input can come, as a code for whoever is called; empty where some can. Looks at the devices.
+    [[nodiscard]] virtual std::string no_input_code() const = 0;
     /// Directs drawing here. True when the first row is the bottom one.
     virtual bool bind() = 0;
     /// After bind(): whether what was drawn the last time is still there, so that only changes need be drawn.

@@ -36,7 +36,9 @@ std::array<double, 4> cut_to(std::array<double, 4> area, const TabletSize& size,
 }  // namespace
 
 Calibration::Calibration(const CalibrationOptions& options, std::optional<TabletSize> size)
-    : area_(options.area), turns_((static_cast<int>(options.turn) + (options.left_handed ? 2 : 0)) % 4) {
+    : area_(options.area),
+      align_(options.align),
+      turns_((static_cast<int>(options.turn) + (options.left_handed ? 2 : 0)) % 4) {
     assert(area_[0] < area_[2] && area_[1] < area_[3]);
     if (!size) return;
     if (options.keep_aspect) {
@@ -47,9 +49,12 @@ Calibration::Calibration(const CalibrationOptions& options, std::optional<Tablet
 
 PenSample Calibration::apply(PenSample s) const {
     if (!s.x || !s.y) return s;
-    s.x = std::clamp((*s.x - area_[0]) / (area_[2] - area_[0]), 0.0, 1.0);
-    s.y = std::clamp((*s.y - area_[1]) / (area_[3] - area_[1]), 0.0, 1.0);
+    s.x = (*s.x - area_[0]) / (area_[2] - area_[0]);
+    s.y = (*s.y - area_[1]) / (area_[3] - area_[1]);
     for (int i = 0; i < turns_; ++i) turn_right(s);
+    const double x = *s.x, y = *s.y;
+    s.x = std::clamp(align_[0] * x + align_[1] * y + align_[2], 0.0, 1.0);
+    s.y = std::clamp(align_[3] * x + align_[4] * y + align_[5], 0.0, 1.0);
     if (!sheet_) return s;
     const bool sideways = turns_ % 2 == 1;
     s.x_mm = *s.x * (sideways ? sheet_->height_mm : sheet_->width_mm);

@@ -27,6 +27,7 @@ class Calibration {
 
   private:
     std::array<double, 4> area_;
+    std::array<double, 6> align_;
     int turns_;
     std::optional<TabletSize> sheet_;  ///< before it is turned
 };

@@ -19,6 +19,8 @@ struct CalibrationOptions {
     /// circle stays a circle. Nothing: the area is stretched over the sheet. Needs a tablet that tells its size.
     std::optional<double> keep_aspect{};
     Turn turn = Turn::None;
+    /// Then, in shares of the sheet, x' = a x + b y + c and y' = d x + e y + f: what aligning pen and screen found.
+    std::array<double, 6> align{1.0, 0.0, 0.0, 0.0, 1.0, 0.0};
     bool left_handed = false;  ///< the tablet lies upside down, its keys at the other hand: half a turn more
 };
 

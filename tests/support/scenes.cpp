@@ -112,6 +112,17 @@ std::vector<NamedScene> make_scenes() {
              k.type("000000");
              k.wait(0.1);
          }},
+        {"station-align-de", in_language(2),
+         [](KioskStand& k) {
+             to_pin(k);
+             app::StationFacts facts;
+             facts.tablets = {"Huion Kamvas Pro 16"};
+             k.shell->set_facts(facts);
+             k.type("000000");
+             k.wait(0.1);
+             k.press_station(ui::StationAction::Align);
+             k.wait(0.1);
+         }},
         {"cleaning",
          {},
          [](KioskStand& k) {
@@ -136,6 +147,11 @@ std::vector<NamedScene> make_scenes() {
          {},
          [](KioskStand& k) {
              k.shell->expect_tablet(k.now_us);
+             k.wait(0.05);
+         }},
+        {"no-input-de", in_language(2),
+         [](KioskStand& k) {
+             k.shell->set_no_input("I2", k.now_us);
              k.wait(0.05);
          }},
         {"no-models", with(CollectionState::Empty), nothing},

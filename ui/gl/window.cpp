@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace ui {
@@ -44,6 +45,11 @@ class SdlWindow final : public Window {
 
     bool visible() const override {
         return (SDL_GetWindowFlags(window_) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) == 0;
+    }
+
+    bool has_desktop() const override {
+        const char* driver = SDL_GetCurrentVideoDriver();
+        return driver == nullptr || std::string_view(driver) != "KMSDRM";
     }
 
   private:

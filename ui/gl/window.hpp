@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct WindowEvent {
     bool button = false;                  ///< a pen with its button held, or the mouse's other button
     double zoom = 0.0;                    ///< of Zoom: doublings of the size
     double shift_x = 0.0, shift_y = 0.0;  ///< of Zoom: how far two fingers moved together
+    /// How far the pen leans from upright, radians; nothing where the tablet does not say.
+    std::optional<double> tilt_rad = {};
 };
 
 struct WindowOptions {
@@ -63,6 +66,8 @@ class Window : public Context {
     [[nodiscard]] virtual std::int64_t now_us() const = 0;
     /// False while minimised or hidden: nothing needs to be drawn then.
     [[nodiscard]] virtual bool visible() const = 0;
+    /// Whether input comes from a desktop, which sees to it, and not from the devices themselves (KMSDRM).
+    [[nodiscard]] virtual bool has_desktop() const = 0;
 };
 
 }  // namespace ui

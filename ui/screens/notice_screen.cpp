@@ -21,6 +21,8 @@ std::string prefix(Notice notice) {
             return "building";
         case Notice::NoTablet:
             return "no_tablet";
+        case Notice::NoInput:
+            return "no_input";
         default:
             return "no_models";
     }
@@ -43,6 +45,7 @@ std::string text_of(const NoticeState& state, const Strings& words) {
     if (state.notice == Notice::NoModels && state.garment) {
         text = text.substr(0, text.find('\n') + 1) + words["garment_works"];
     }
+    if (state.notice == Notice::NoInput) return filled_in(text, {{"c", state.code}});
     if (state.notice != Notice::Building) return text;
     std::string key = "building_progress";
     if (!state.minutes_left) key = "building_progress_untimed";
@@ -109,6 +112,7 @@ DrawList NoticeScreen::draw(const NoticeState& state, const FindLayout& l) const
         draw_bar(list, {std::round(cx - width / 2), std::round(below), width, s.px(12)}, share, palette::kSanguine,
                  palette::kLine);
     }
+    if (state.notice == Notice::NoInput) return list;  // nothing that could be touched is shown
     draw_button(list, *fonts_, button(state, l), words[button_key(state)], s.text(Face::SemiBold, 24),
                 ButtonKind::Primary, state.pressed == Control::StartDrawing, s.px(2));
     draw_footer(list, *fonts_, *languages_, state.language, with_footer_below(l), state.pressed, state.pressed_item);
@@ -116,6 +120,7 @@ DrawList NoticeScreen::draw(const NoticeState& state, const FindLayout& l) const
 }
 
 std::vector<BoardTouch::Target> NoticeScreen::targets(const NoticeState& state, const FindLayout& layout) const {
+    if (state.notice == Notice::NoInput) return {};
     std::vector<BoardTouch::Target> all = footer_targets(with_footer_below(layout), languages_->size());
     all.push_back({Control::StartDrawing, 0, button(state, layout)});
     return all;

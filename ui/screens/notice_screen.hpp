@@ -5,7 +5,16 @@
 
 namespace ui {
 
-enum class Notice { None, NoModels, CollectionMissing, CollectionDamaged, CollectionStale, Building, NoTablet };
+enum class Notice {
+    None,
+    NoModels,
+    CollectionMissing,
+    CollectionDamaged,
+    CollectionStale,
+    Building,
+    NoTablet,
+    NoInput
+};
 
 /// Key of the sentence that the board of the sheet shows instead of its hint.
 [[nodiscard]] std::string board_key(Notice notice);
@@ -15,6 +24,7 @@ struct NoticeState {
     std::size_t language = 0;
     bool garment = false;                  ///< the other mode is there, and needs no collection
     std::int64_t done = 0, total = 0;      ///< models, of Building
+    std::string code = {};                 ///< of NoInput, for whoever is called
     std::optional<int> minutes_left = {};  ///< of Building; nothing while that cannot be told
     std::optional<Control> pressed = {};
     std::size_t pressed_item = 0;

@@ -27,6 +27,7 @@ class Builder {
     }
 
     void build() {
+        if (state_.align) return aligning(*state_.align);
         const double margin = s_.px(40), gap = s_.px(24), top = header_height() + s_.px(8);
         page_.list.box({0, 0, s_.width(), s_.height()}, 0, palette::kBoard);
         const bool three = !s_.upright && s_.width() >= 1600;
@@ -51,6 +52,26 @@ class Builder {
 
   private:
     using Panel = void (Builder::*)();
+
+    /// One cross to be touched, and what to do in the middle of the upper half, where none ever stands.
+    void aligning(const StationState::Align& align) {
+        page_.list.box({0, 0, s_.width(), s_.height()}, 0, palette::kSheet);
+        const double cx = s_.width() / 2, top = s_.height() * 0.26, arm = s_.px(36);
+        draw_fitted(page_.list, fonts_, words_["align_title"], s_.text(Face::DisplaySemiBold, 48, -0.015),
+                    palette::kInk, cx, top, s_.width() * 0.7, Align::Centre);
+        const std::string step = filled_in(words_["align_step"],
+                                           {{"a", std::to_string(align.step + 1)}, {"b", std::to_string(align.count)}});
+        page_.list.text(fonts_, step, s_.text(Face::Regular, 28), palette::kMuted, cx, top + s_.px(64), Align::Centre);
+        const core::Point at{align.cross.x * s_.width(), align.cross.y * s_.height()};
+        draw_line(page_.list, {at.x - arm, at.y}, {at.x + arm, at.y}, line_, palette::kInk);
+        draw_line(page_.list, {at.x, at.y - arm}, {at.x, at.y + arm}, line_, palette::kInk);
+        const double r = s_.px(16);
+        page_.list.box({at.x - r, at.y - r, 2 * r, 2 * r}, r, palette::kNone, palette::kSanguine, line_);
+        drawing_ = true;
+        const double wide = std::max(s_.px(240), fonts_.width_px(words_["cancel"], strong_) + s_.px(72));
+        button_at({std::round(cx - wide / 2), std::round(s_.height() * 0.68), wide, s_.target(72)}, words_["cancel"],
+                  ButtonKind::Quiet, StationAction::LeaveAlign);
+    }
 
     [[nodiscard]] double header_height() const { return s_.px(32) + s_.target(72) + s_.px(24); }
 
@@ -219,8 +240,10 @@ class Builder {
              words_[state_.tablet_there ? "connected" : "not_connected"], state_.tablet_there);
         fact(words_["report_rate"],
              state_.report_rate_hz ? number_in(words_, std::llround(*state_.report_rate_hz)) + " Hz" : "–");
+        fact(words_["pen_to_screen"],
+             state_.pen_to_screen_ms ? number_in(words_, std::llround(*state_.pen_to_screen_ms)) + " ms" : "–");
         y_ += s_.px(10);
-        const Rect area{x_, y_, width_, s_.px(s_.upright ? 240 : 296)};
+        const Rect area{x_, y_, width_, s_.px(s_.upright ? 200 : 232)};
         if (drawing_) {
             page_.test_area = area;
             page_.list.box(area, s_.px(16), palette::kBoard);
@@ -240,6 +263,10 @@ class Builder {
                             {Face::Medium, body_.size_px, 0}, palette::kInk, x_ + width_, base, Align::Right);
         }
         y_ += row;
+        fact(words_["tilt"], state_.tilt_deg ? number_in(words_, std::llround(*state_.tilt_deg)) + "°" : "–");
+        fact(words_["across"], state_.across ? number_in(words_, std::llround(state_.across->x)) + " × " +
+                                                   number_in(words_, std::llround(state_.across->y)) + " %"
+                                             : "–");
         rule();
         words(words_["pressure_curve"], palette::kInk);
         y_ += s_.px(12);
@@ -248,6 +275,8 @@ class Builder {
             segments(r, {words_["curve_soft"], words_["curve_normal"], words_["curve_firm"]}, state_.curve,
                      StationAction::Curve);
         y_ += r.height + s_.px(12);
+        if (!state_.align_message.empty()) words(state_.align_message, palette::kInk);
+        buttons({{words_["align"], ButtonKind::Plain, StationAction::Align, state_.can_align}});
     }
 
     void collection() {
@@ -261,7 +290,11 @@ class Builder {
         rule();
         if (state_.importing) {
             words(filled_in(words_["adding"], {{"n", number_in(words_, state_.total)}}), palette::kInk, true);
-            std::string counts = number_in(words_, state_.done) + " / " + number_in(words_, state_.total);
+            std::string counts = filled_in(words_["adding_counts"], {{"a", number_in(words_, state_.done)},
+                                                                     {"b", number_in(words_, state_.unreadable)}});
+            if (state_.per_minute)
+                counts +=
+                    filled_in(words_["adding_rate"], {{"n", number_in(words_, std::llround(*state_.per_minute))}});
             if (state_.minutes_left)
                 counts += filled_in(words_["adding_time"], {{"t", number_in(words_, *state_.minutes_left)}});
             words(counts, palette::kMuted);
@@ -310,12 +343,39 @@ class Builder {
             buttons({{words_["close"], ButtonKind::Primary, StationAction::LeaveList}});
             return;
         }
+        if (open.all > open.rows.size()) pages(open);
         words(open.model_files > 0 ? filled_in(words_["folder_models"], {{"n", number_in(words_, open.model_files)}})
                                    : words_["folder_empty"],
               palette::kMuted);
         buttons({{words_["add_these"], ButtonKind::Primary, StationAction::AddThese, open.model_files > 0},
                  {words_["folder_up"], ButtonKind::Plain, StationAction::FolderUp},
                  {words_["cancel"], ButtonKind::Plain, StationAction::LeaveList}});
+    }
+
+    /// Which of many folders the rows are, between the ways to those before and after.
+    void pages(const StationState::List& open) {
+        const double height = s_.target(64);
+        const std::size_t last = open.first + open.rows.size();
+        if (drawing_) {
+            for (const bool later : {false, true}) {
+                const Rect knob{later ? x_ + width_ - height : x_, y_, height, height};
+                const std::size_t item = station_item(later ? StationAction::Later : StationAction::Earlier);
+                const bool on = later ? last < open.all : open.first > 0;
+                page_.list.box(state_.pressed == item ? scaled(knob, 0.97) : knob, height / 2, palette::kSheet,
+                               palette::kLine, line_);
+                const double c = knob.centre_x(), m = knob.centre_y(), d = s_.px(8) * (later ? 1 : -1);
+                const Colour ink = palette::kInk.faded(on ? 1.0F : palette::kOffShare);
+                draw_line(page_.list, {c - d / 2, m - s_.px(10)}, {c + d / 2, m}, line_ * 1.4, ink);
+                draw_line(page_.list, {c + d / 2, m}, {c - d / 2, m + s_.px(10)}, line_ * 1.4, ink);
+                if (on) page_.targets.push_back({Control::Station, item, knob});
+            }
+            const std::string which = number_in(words_, static_cast<std::int64_t>(open.first + 1)) + "–" +
+                                      number_in(words_, static_cast<std::int64_t>(last)) + " / " +
+                                      number_in(words_, static_cast<std::int64_t>(open.all));
+            page_.list.text(fonts_, which, body_, palette::kMuted, x_ + width_ / 2, y_ + height / 2 + cap_drop(body_),
+                            Align::Centre);
+        }
+        y_ += height + s_.px(8);
     }
 
     void idle() {

@@ -30,6 +30,10 @@ enum class StationAction : std::size_t {
     Garment,   ///< index: 0 off, 1 on
     SelfTest,
     SaveReport,
+    Align,
+    LeaveAlign,
+    Earlier,  ///< of the folders
+    Later,
     Restart,
     Exit,
 };
@@ -53,15 +57,28 @@ struct StationState {
     std::string tablet_name;
     bool tablet_there = false;
     std::optional<double> report_rate_hz;
-    double pressure = 0;          ///< of the last pointer in the test area, 0 … 1
-    std::vector<InkPiece> trail;  ///< what was drawn there, on the screen
+    std::optional<double> pen_to_screen_ms;  ///< from a report until its frame was shown, median
+    double pressure = 0;                     ///< of the last pointer in the test area, 0 … 1
+    std::optional<double> tilt_deg;          ///< of the same, from upright
+    std::optional<core::Point> across;       ///< where it is on the screen, per cent
+    std::vector<InkPiece> trail;             ///< what was drawn there, on the screen
     std::size_t curve = 1;
+    bool can_align = false;
+    std::string align_message;  ///< in words, of the last try
+    /// Pen and screen are being aligned: nothing but this is shown.
+    struct Align {
+        std::size_t step = 0, count = 0;
+        core::Point cross;  ///< shares of the screen
+        friend bool operator==(const Align&, const Align&) = default;
+    };
+    std::optional<Align> align;
     // collection
     std::int64_t models = 0, views = 0;
     std::optional<double> search_ms;
     std::string changed;  ///< a date, written out; empty: never
     bool can_add = false, stale = false, importing = false;
-    std::int64_t done = 0, total = 0;
+    std::int64_t done = 0, total = 0, unreadable = 0;
+    std::optional<double> per_minute;
     std::optional<int> minutes_left;
     std::string import_ended;  ///< in words, of the last one
     /// Shown in place of the collection: folders to choose from, or sentences.
@@ -69,7 +86,8 @@ struct StationState {
         bool folders = false;
         std::string title;  ///< the folder's path, or what the sentences are about
         std::vector<std::string> rows;
-        std::int64_t model_files = 0;  ///< directly or farther below
+        std::int64_t model_files = 0;    ///< directly or farther below
+        std::size_t first = 0, all = 0;  ///< of folders: which of them the first row is, and how many there are
         friend bool operator==(const List&, const List&) = default;
     };
     std::optional<List> open_list;

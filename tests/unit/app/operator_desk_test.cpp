@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 
 #include "tests/support/kiosk_stand.hpp"
@@ -173,7 +174,7 @@ TEST_CASE("a folder is chosen and added, an import is shown and stopped, problem
     status.total = 40;
     status.minutes_left = 3;
     kiosk.collection.set_status(status);
-    CHECK(shows(kiosk.shell->station_page(kiosk.now_us), "26 / 40, about 3 min left"));
+    CHECK(shows(kiosk.shell->station_page(kiosk.now_us), "26 done, 0 not readable, about 3 min left"));
     kiosk.press_station(StationAction::Stop);
     CHECK(kiosk.collection.stops == 1);
     kiosk.press_station(StationAction::Problems);
@@ -277,4 +278,145 @@ TEST_CASE("on every size and in every language the page holds its controls apart
             }
         }
     }
+}
+
+namespace {
+
+app::StationFacts facts_with_tablet() {
+    app::StationFacts facts;
+    facts.tablets = {"Test tablet"};
+    return facts;
+}
+
+/// A pen that says `place` of each cross, down and up.
+void touch_crosses(test::KioskStand& kiosk, const std::function<core::Point(core::Point)>& place) {
+    for (std::size_t i = 0; i < app::kCrossCount; ++i) {
+        const core::Point p = place(app::cross_at(i));
+        for (const Kind kind : {Kind::Down, Kind::Move, Kind::Up, Kind::Leave}) {
+            ui::WindowEvent event{kind, p.x * kSize.width, p.y * kSize.height, 0.6, kiosk.now_us += 8'000, false};
+            event.pen = true;
+            kiosk.shell->pointer(event);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("pen and screen are aligned by touching nine crosses, and the file keeps it", "[operator]") {
+    const support::TemporaryFolder folder;
+    const std::string file = folder.path("croquis.toml");
+    std::vector<std::vector<double>> told;
+    app::ShellOptions options;
+    options.station.config_file = file;
+    options.station.config.tablet.align = {1, 0, 0.3, 0, 1, 0};
+    options.station.changed = [&](const app::Config& config) { told.push_back(config.tablet.align); };
+    test::KioskStand kiosk(kSize, options);
+    open_station(kiosk);
+    CHECK_THROWS(kiosk.press_station(StationAction::Align));  // there is no tablet
+    kiosk.shell->set_facts(facts_with_tablet());
+    kiosk.press_station(StationAction::Align);
+    CHECK(shows(kiosk.shell->station_page(kiosk.now_us), kiosk.languages[0]["align_title"]));
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].empty());  // while it lasts the pen is where the tablet says
+    touch_crosses(kiosk, [](core::Point p) { return core::Point{p.x * 0.98 + 0.03, p.y * 1.01 - 0.02}; });
+    CHECK(shows(kiosk.shell->station_page(kiosk.now_us), kiosk.languages[0]["align_done"]));
+    REQUIRE(told.size() == 2);
+    REQUIRE(told[1].size() == 6);
+    CHECK(told[1][0] == Approx(1 / 0.98).margin(1e-5));
+    CHECK(told[1][2] == Approx(-0.03 / 0.98).margin(1e-5));
+    const auto kept = app::read_config(file);
+    REQUIRE(kept);
+    REQUIRE(kept->tablet.align.size() == 6);
+    for (std::size_t i = 0; i < 6; ++i) CHECK(kept->tablet.align[i] == Approx(told[1][i]).margin(1e-5));
+}
+
+TEST_CASE("an alignment that missed, was cancelled or was left is refused in words and changes nothing", "[operator]") {
+    std::vector<std::vector<double>> told;
+    app::ShellOptions options;
+    options.station.config.tablet.align = {1, 0, 0.1, 0, 1, 0};
+    options.station.changed = [&](const app::Config& config) { told.push_back(config.tablet.align); };
+    test::KioskStand kiosk(kSize, options);
+    open_station(kiosk);
+    kiosk.shell->set_facts(facts_with_tablet());
+    kiosk.press_station(StationAction::Align);
+    int n = 0;
+    touch_crosses(kiosk, [&](core::Point p) { return core::Point{p.x + (++n == 3 ? 0.09 : 0), p.y}; });
+    CHECK(shows(kiosk.shell->station_page(kiosk.now_us), "not hit well enough"));
+    CHECK(told.back() == options.station.config.tablet.align);
+    kiosk.press_station(StationAction::Align);
+    touch_crosses(kiosk, [](core::Point p) { return core::Point{p.x * 0.6 + 0.2, p.y * 0.6 + 0.2}; });
+    CHECK(shows(kiosk.shell->station_page(kiosk.now_us), "seems to lie otherwise"));
+    CHECK(told.back() == options.station.config.tablet.align);
+    kiosk.press_station(StationAction::Align);
+    CHECK(told.back().empty());
+    kiosk.press_station(StationAction::LeaveAlign);
+    CHECK(told.back() == options.station.config.tablet.align);
+    kiosk.press_station(StationAction::Align);
+    kiosk.wait(125);  // the page closes by itself
+    CHECK(kiosk.scene() != Scene::Operator);
+    CHECK(told.back() == options.station.config.tablet.align);
+}
+
+TEST_CASE("the pen test shows tilt and place, and how long the pen took to the screen", "[operator]") {
+    test::KioskStand kiosk(kSize);
+    open_station(kiosk);
+    app::StationFacts facts = facts_with_tablet();
+    facts.pen_to_screen_ms = 11.6;
+    kiosk.shell->set_facts(facts);
+    const ui::Rect area = kiosk.shell->station_page(kiosk.now_us).test_area;
+    ui::WindowEvent event{Kind::Down, area.centre_x(), area.centre_y(), 0.5, kiosk.now_us, false};
+    event.pen = true;
+    event.tilt_rad = 0.5;
+    kiosk.shell->pointer(event);
+    const ui::StationPage page = kiosk.shell->station_page(kiosk.now_us);
+    CHECK(shows(page, "29°"));
+    CHECK(shows(page, "12 ms"));
+    CHECK(shows(page, "50 %"));
+}
+
+TEST_CASE("more folders than fit are shown page by page", "[operator]") {
+    const support::TemporaryFolder folder;
+    for (int i = 0; i < 14; ++i) std::filesystem::create_directories(folder.path("f" + std::to_string(10 + i) + "/in"));
+    app::ShellOptions options;
+    options.station.media = std::filesystem::path(folder.path("x")).parent_path();
+    test::KioskStand kiosk(kSize, options);
+    app::CollectionStatus status;
+    status.can_add = true;
+    kiosk.collection.set_status(status);
+    open_station(kiosk);
+    kiosk.press_station(StationAction::Add);
+    const auto page = [&] { return kiosk.shell->station_page(kiosk.now_us); };
+    CHECK(shows(page(), "1–6 / 14"));
+    CHECK(shows(page(), "f15"));
+    CHECK_FALSE(shows(page(), "f16"));
+    CHECK_THROWS(kiosk.press_station(StationAction::Earlier));
+    kiosk.press_station(StationAction::Later);
+    kiosk.press_station(StationAction::Later);
+    CHECK(shows(page(), "13–14 / 14"));
+    CHECK_THROWS(kiosk.press_station(StationAction::Later));
+    kiosk.press_station(StationAction::Folder, 1);
+    CHECK(shows(page(), "f23"));
+    CHECK(shows(page(), "in"));
+    kiosk.press_station(StationAction::FolderUp);
+    CHECK(shows(page(), "1–6 / 14"));
+}
+
+TEST_CASE("while models are added the page says how many, how fast and how many could not be read", "[operator]") {
+    test::KioskStand kiosk(kSize);
+    app::CollectionStatus status;
+    status.can_add = status.importing = true;
+    status.total = 400;
+    status.done = 20;
+    kiosk.collection.set_status(status);
+    open_station(kiosk);
+    kiosk.wait(2.5);
+    status.done = 60;
+    status.unreadable = 1;
+    status.minutes_left = 3;
+    kiosk.collection.set_status(status);
+    kiosk.wait(4);
+    const ui::StationPage page = kiosk.shell->station_page(kiosk.now_us);
+    CHECK(shows(page, "60 done, 1 not readable"));
+    CHECK(shows(page, "a minute"));
+    CHECK(shows(page, "3 min left"));
 }

@@ -2,7 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+
+#include "firmware_like_app/kiosk/input_fault.hpp"
 #include "tests/support/kiosk_stand.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using app::CollectionState;
 using app::Scene;
@@ -256,6 +260,31 @@ TEST_CASE("a resize on attract, on a notice and under the question keeps the sce
     CHECK(kiosk.scene() == Scene::StillThere);
     CHECK(strokes(kiosk) == 1);
     CHECK(kiosk.picture().height == 1920);
+}
+
+TEST_CASE("a screen that nothing can control says so, until something comes", "[shell]") {
+    test::KioskStand kiosk(kSize);
+    kiosk.shell->set_no_input("I2", kiosk.now_us);
+    CHECK(kiosk.scene() == Scene::Notice);
+    kiosk.wait(100);
+    CHECK(kiosk.scene() == Scene::Notice);
+    kiosk.shell->set_no_input("", kiosk.now_us);
+    CHECK(kiosk.scene() == Scene::Attract);
+    kiosk.shell->set_no_input("I1", kiosk.now_us);
+    kiosk.tap(600, 400);  // something came after all
+    kiosk.wait(0.1);
+    CHECK(kiosk.scene() != Scene::Notice);
+}
+
+TEST_CASE("input devices that are not there or may not be read have a code", "[shell]") {
+    const support::TemporaryFolder folder;
+    CHECK(app::input_fault(folder.path("none")) == "I1");
+    const std::string file = folder.write("input/event3", "");
+    CHECK(app::input_fault(folder.path("input")).empty());
+    CHECK(app::input_fault(folder.path("")) == "I1");  // nothing there that is an event device
+    std::filesystem::remove(file);
+    std::filesystem::create_symlink(folder.path("gone"), file);
+    CHECK(app::input_fault(folder.path("input")) == "I2");
 }
 
 TEST_CASE("a picture that is kept from frame to frame is right through all scenes", "[shell]") {
