@@ -89,14 +89,15 @@ bool huffman_tables_fit(std::span<const std::byte> bytes) {
     return true;
 }
 
-}  // namespace
+using Pixels = std::unique_ptr<stbi_uc, void (*)(void*)>;
 
-bool looks_like_image(std::span<const std::byte> bytes) {
-    return starts_with(bytes, {0x89, 'P', 'N', 'G'}) || starts_with(bytes, {0xFF, 0xD8, 0xFF}) ||
-           starts_with(bytes, {'B', 'M'});
-}
+struct Decoded {
+    Pixels pixels{nullptr, stbi_image_free};
+    int width = 0, height = 0, channels = 0;
+};
 
-Result<GrayImage> decode_gray_image(std::span<const std::byte> bytes) {
+/// `channels`: how many are wanted, 0: as many as the file has.
+Result<Decoded> decode(std::span<const std::byte> bytes, int channels) {
     if (!looks_like_image(bytes)) {
         return unexpected(ErrorCode::UnknownFormat, "this is no PNG, BMP or JPEG picture; give one of these");
     }
@@ -105,22 +106,44 @@ Result<GrayImage> decode_gray_image(std::span<const std::byte> bytes) {
     const int size = static_cast<int>(bytes.size());
 
     if (starts_with(bytes, {0xFF, 0xD8}) && !huffman_tables_fit(bytes)) return damaged();
-    int width = 0, height = 0, channels = 0;
-    if (!stbi_info_from_memory(data, size, &width, &height, &channels)) return damaged();
-    if (width <= 0 || height <= 0) return damaged();
-    if (width > kMaxImageSide_px || height > kMaxImageSide_px ||
-        static_cast<long long>(width) * height > kMaxImagePixels) {
+    Decoded out;
+    if (!stbi_info_from_memory(data, size, &out.width, &out.height, &out.channels)) return damaged();
+    if (out.width <= 0 || out.height <= 0) return damaged();
+    if (out.width > kMaxImageSide_px || out.height > kMaxImageSide_px ||
+        static_cast<long long>(out.width) * out.height > kMaxImagePixels) {
         return too_large();
     }
+    out.pixels.reset(stbi_load_from_memory(data, size, &out.width, &out.height, &out.channels, channels));
+    if (!out.pixels) return damaged();
+    if (channels > 0) out.channels = channels;
+    return out;
+}
 
-    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-        stbi_load_from_memory(data, size, &width, &height, &channels, 0), stbi_image_free);
-    if (!pixels) return damaged();
-    GrayImage image(width, height);
+}  // namespace
+
+bool looks_like_image(std::span<const std::byte> bytes) {
+    return starts_with(bytes, {0x89, 'P', 'N', 'G'}) || starts_with(bytes, {0xFF, 0xD8, 0xFF}) ||
+           starts_with(bytes, {'B', 'M'});
+}
+
+Result<GrayImage> decode_gray_image(std::span<const std::byte> bytes) {
+    const Result<Decoded> decoded = decode(bytes, 0);
+    if (!decoded) return unexpected(decoded.error());
+    GrayImage image(decoded->width, decoded->height);
+    const auto channels = static_cast<std::size_t>(decoded->channels);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        image.pixels[i] = luma_over_white(pixels.get() + i * static_cast<std::size_t>(channels), channels);
+        image.pixels[i] = luma_over_white(decoded->pixels.get() + i * channels, decoded->channels);
     }
     return image;
+}
+
+Result<RgbaImage> decode_rgba_image(std::span<const std::byte> bytes) {
+    constexpr std::size_t kChannels = 4;
+    const Result<Decoded> decoded = decode(bytes, static_cast<int>(kChannels));
+    if (!decoded) return unexpected(decoded.error());
+    const std::size_t count =
+        static_cast<std::size_t>(decoded->width) * static_cast<std::size_t>(decoded->height) * kChannels;
+    return RgbaImage{decoded->width, decoded->height, {decoded->pixels.get(), decoded->pixels.get() + count}};
 }
 
 Result<GrayImage> read_gray_image(const std::string& path) {

@@ -26,7 +26,10 @@ inline constexpr long long kMaxImagePixels = 48'000'000;
 /// limits above. `where` is left empty. Linear in pixels; at most about 16 bytes of memory a pixel while decoding.
 [[nodiscard]] Result<GrayImage> decode_gray_image(std::span<const std::byte> bytes);
 
-/// The same from a file; errors name it. FileMissing and FileUnreadable as read_file_bytes gives them.
+/// The same in colour; opacity 255 where the file has none.
+[[nodiscard]] Result<RgbaImage> decode_rgba_image(std::span<const std::byte> bytes);
+
+/// Grey, from a file; errors name it. FileMissing and FileUnreadable as read_file_bytes gives them.
 [[nodiscard]] Result<GrayImage> read_gray_image(const std::string& path);
 
 }  // namespace core

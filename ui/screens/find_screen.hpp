@@ -48,6 +48,7 @@ enum class Control {
     Station,  ///< item: see station_item
     Mode,     ///< item: 0 Find, 1 Garment
     Garment,  ///< item: see garment_item
+    Gallery,  ///< item: see gallery_item
 };
 
 /// Everything that Find shows, as values.
