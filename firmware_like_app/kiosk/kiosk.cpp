@@ -334,7 +334,10 @@ class Loop {
             draw_frame();
             frame_due_ = false;
         }
-        surface_.next_frame(drawn);
+        surface_.next_frame(drawn, [this, drawn] {
+            note_shown(drawn);
+            shell_.use_spare_time();
+        });
     }
 
     void shoot_garment(const std::string& name, int percent) {
