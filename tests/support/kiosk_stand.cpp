@@ -100,6 +100,7 @@ void KioskStand::press_station(ui::StationAction action, std::size_t index) {
 }
 
 core::RgbaImage KioskStand::picture() {
+    if (shell->in_garment()) garment->settle(now_us);
     shell->update_ink();
     ui::Target target(size, ui::PixelFormat::Colour);
     target.bind();

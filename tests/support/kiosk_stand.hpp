@@ -30,6 +30,7 @@ class KioskStand {
     /// A tap on the station page.
     void press_station(ui::StationAction action, std::size_t index = 0);
     [[nodiscard]] core::RgbaImage picture();
+    [[nodiscard]] const ui::FontSet& fonts() const { return *fonts_; }
     [[nodiscard]] app::Scene scene() const { return shell->station().scene(); }
 
   private:

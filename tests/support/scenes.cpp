@@ -158,11 +158,17 @@ std::vector<NamedScene> all_scenes() {
         scene.large = scene.name == "attract-form" || scene.name == "drawing" || scene.name == "detail" ||
                       scene.name == "station";
     }
+    for (NamedScene& scene : garment_scenes()) scenes.push_back(std::move(scene));
     return scenes;
 }
 
 std::vector<ui::SizePx> all_sizes() {
     return {{1920, 1080}, {1280, 800}, {3840, 2160}, {1080, 1920}};
+}
+
+bool is_kept_at(const NamedScene& scene, ui::SizePx size) {
+    if (scene.garment) return size == ui::SizePx{1920, 1080} || size == ui::SizePx{1280, 800};
+    return size.width <= 2000 || scene.large;
 }
 
 }  // namespace test

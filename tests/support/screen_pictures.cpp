@@ -17,15 +17,20 @@ int main(int argc, char** argv) {
     const std::filesystem::path folder = argv[1];
     std::string only;
     std::vector<ui::SizePx> sizes = test::all_sizes();
+    bool all = true;  // sizes that are kept
     for (int i = 2; i + 1 < argc; i += 2) {
         if (std::string(argv[i]) == "--only") only = argv[i + 1];
         ui::SizePx size;
-        if (std::sscanf(argv[i + 1], "%dx%d", &size.width, &size.height) == 2) sizes = {size};
+        if (std::sscanf(argv[i + 1], "%dx%d", &size.width, &size.height) == 2) {
+            sizes = {size};
+            all = false;
+        }
     }
     std::filesystem::create_directories(folder);
     for (const test::NamedScene& scene : test::all_scenes()) {
         if (!only.empty() && scene.name.find(only) == std::string::npos) continue;
         for (const ui::SizePx size : sizes) {
+            if (all && scene.garment && !test::is_kept_at(scene, size)) continue;
             test::KioskStand kiosk(size, scene.options);
             scene.go(kiosk);
             const std::filesystem::path file =

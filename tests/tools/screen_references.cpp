@@ -55,7 +55,7 @@ core::RgbaImage sheet_of(const test::NamedScene& scene) {
     sheet.height = kHeight;
     std::vector<core::RgbaImage> pictures;
     for (const ui::SizePx size : test::all_sizes()) {
-        if (size.width > 2000 && !scene.large) continue;
+        if (!test::is_kept_at(scene, size)) continue;
         test::KioskStand kiosk(size, scene.options);
         scene.go(kiosk);
         pictures.push_back(smaller(kiosk.picture()));

@@ -145,12 +145,55 @@ TEST_CASE("notices: each has a way to the sheet, and the board then says what is
         CHECK(kiosk.scene() == Scene::Notice);
         kiosk.tap(640, 540);
         CHECK(kiosk.scene() == Scene::Work);
+        CHECK(kiosk.shell->in_garment() == (state == CollectionState::Empty));  // that needs no collection
+        kiosk.shell->open_garment(false, kiosk.now_us);
         CHECK(kiosk.find->state(kiosk.now_us).board_message != ready.find->state(ready.now_us).board_message);
         kiosk.stroke(900, 200, 1000, 250);
         CHECK(strokes(kiosk) == 1);
         kiosk.wait(82);
         CHECK(kiosk.scene() == Scene::Notice);
     }
+}
+
+TEST_CASE("the switch goes to Garment and back, with language and hand; each keeps its work until a wipe", "[shell]") {
+    test::KioskStand kiosk(kSize);
+    kiosk.shell->open_sheet(kiosk.now_us);
+    kiosk.stroke(900, 200, 1000, 250);
+    kiosk.find->set_language(1);
+    kiosk.find->set_hand(ui::Hand::Left);
+    const ui::Rect modes = kiosk.find->layout().mode_switch;
+    kiosk.tap(modes.x + modes.width * 0.75, modes.centre_y());
+    REQUIRE(kiosk.shell->in_garment());
+    CHECK(kiosk.garment->language() == 1);
+    CHECK(kiosk.garment->hand() == ui::Hand::Left);
+    const ui::Rect sheet = kiosk.garment->layout().sheet;
+    CHECK(kiosk.shell->sheet() == sheet);
+    const double y = sheet.y + sheet.height * 0.45;
+    kiosk.stroke(sheet.centre_x() + 4, y, sheet.centre_x() + 50, y);
+    CHECK(kiosk.garment->has_work());
+    const ui::Rect back = kiosk.garment->layout().mode_switch;
+    kiosk.tap(back.x + back.width * 0.25, back.centre_y());
+    CHECK_FALSE(kiosk.shell->in_garment());
+    CHECK(strokes(kiosk) == 1);
+    kiosk.shell->open_garment(true, kiosk.now_us);
+    kiosk.wait(175);  // people think longer here
+    CHECK(kiosk.scene() == Scene::Work);
+    kiosk.wait(30);
+    CHECK(kiosk.scene() == Scene::Attract);
+    CHECK_FALSE(kiosk.shell->in_garment());
+    CHECK_FALSE(kiosk.garment->has_work());
+    CHECK(strokes(kiosk) == 0);
+}
+
+TEST_CASE("without Garment there is no switch, and nothing leads there", "[shell]") {
+    app::ShellOptions options;
+    options.garment_offered = false;
+    test::KioskStand kiosk(kSize, options);
+    kiosk.shell->open_sheet(kiosk.now_us);
+    const ui::Rect modes = kiosk.find->layout().mode_switch;
+    kiosk.tap(modes.x + modes.width * 0.75, modes.centre_y());
+    CHECK_FALSE(kiosk.shell->in_garment());
+    CHECK_FALSE(kiosk.find->state(kiosk.now_us).modes);
 }
 
 TEST_CASE("while the collection is read visitors draw, and its page goes when it is ready", "[shell]") {

@@ -1,0 +1,113 @@
+#include "tests/support/garment_hand.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "core/garment/wardrobe.hpp"
+
+namespace test {
+
+using Kind = ui::WindowEvent::Kind;
+
+void GarmentHand::enter() {
+    kiosk_.shell->open_sheet(kiosk_.now_us);
+    kiosk_.wait(0.05);
+    const ui::Rect modes = kiosk_.find->layout().mode_switch;
+    kiosk_.tap(modes.x + modes.width * 0.75, modes.centre_y());
+    kiosk_.garment->settle(kiosk_.now_us);
+}
+
+void GarmentHand::open(const char* design) {
+    const core::Mannequin body = *core::make_mannequin(*core::measures_of_size("38"));
+    const core::Result<void> opened = kiosk_.garment->open(*core::wardrobe_design(design, body));
+    if (!opened) throw std::runtime_error(opened.error().sentence());
+    kiosk_.garment->settle(kiosk_.now_us);
+}
+
+void GarmentHand::press(ui::GarmentAction action, std::size_t index) {
+    const ui::GarmentScreen screen(kiosk_.fonts(), kiosk_.languages);
+    const ui::GarmentState state = kiosk_.garment->state(kiosk_.now_us);
+    for (const ui::BoardTouch::Target& target : screen.targets(state, kiosk_.garment->layout())) {
+        if (target.control != ui::Control::Garment || target.item != ui::garment_item(action, index)) continue;
+        kiosk_.tap(target.rect);
+        kiosk_.wait(0.02);
+        return;
+    }
+    throw std::runtime_error("no such control is on the board now");
+}
+
+void GarmentHand::tool(ui::GarmentTool tool) {
+    for (std::size_t page = 0; page < ui::kGarmentPages; ++page) {
+        for (const auto& slot : ui::tools_of_page(page)) {
+            if (!slot || slot->action != ui::GarmentAction::Tool || slot->index != static_cast<std::size_t>(tool)) {
+                continue;
+            }
+            if (kiosk_.garment->state(kiosk_.now_us).page != page) press(ui::GarmentAction::Page, page);
+            press(ui::GarmentAction::Tool, slot->index);
+            return;
+        }
+    }
+}
+
+void GarmentHand::view(ui::GarmentView view) {
+    for (int i = 0; i < 3 && kiosk_.garment->views().view() != view; ++i) {
+        press(ui::GarmentAction::View, ui::tile_of(view));
+    }
+}
+
+core::Point GarmentHand::px(core::Point at_cm) const {
+    const ui::FigureCamera& camera = kiosk_.garment->views().camera();
+    return {camera.centre_px.x + at_cm.x * camera.scale_px, camera.centre_px.y - at_cm.y * camera.scale_px};
+}
+
+void GarmentHand::draw(const std::vector<core::Point>& through_cm, bool lift) {
+    core::Point at = px(through_cm.front());
+    kiosk_.event(Kind::Down, at.x, at.y);
+    for (std::size_t i = 1; i < through_cm.size(); ++i) {
+        const core::Point a = through_cm[i - 1], b = through_cm[i];
+        const int steps = std::max(1, static_cast<int>(std::ceil(core::distance(a, b) * 2)));
+        for (int k = 1; k <= steps; ++k) {
+            at = px(a + (b - a) * (static_cast<double>(k) / steps));
+            kiosk_.event(Kind::Move, at.x, at.y);
+        }
+    }
+    if (lift) kiosk_.event(Kind::Up, at.x, at.y);
+    kiosk_.wait(0.05);
+}
+
+void GarmentHand::tap(core::Point at_cm) {
+    const core::Point at = px(at_cm);
+    kiosk_.tap(at.x, at.y);
+    kiosk_.wait(0.02);
+}
+
+void GarmentHand::slide(const ui::Rect& slider, double share, bool lift) {
+    const double reach = 24 * kiosk_.garment->layout().scale;
+    const double x = slider.x + reach + (slider.width - 2 * reach) * share, y = slider.centre_y();
+    kiosk_.event(Kind::Down, slider.centre_x(), y);
+    for (int i = 1; i <= 6; ++i) kiosk_.event(Kind::Move, slider.centre_x() + (x - slider.centre_x()) * i / 6, y);
+    if (lift) kiosk_.event(Kind::Up, x, y);
+    kiosk_.wait(0.05);
+}
+
+void GarmentHand::offset(double cm) {
+    for (int i = 0; i < 200; ++i) {
+        const double now = kiosk_.garment->state(kiosk_.now_us).offset_cm;
+        if (std::abs(now - cm) < 0.05) return;
+        press(now < cm ? ui::GarmentAction::More : ui::GarmentAction::Less);
+    }
+}
+
+void GarmentHand::skirt() {
+    view(ui::GarmentView::Front);
+    tool(ui::GarmentTool::OnBody);
+    draw({{0, 106}, {5, 106}, {10, 106.3}, {12.6, 106.6}});
+    tool(ui::GarmentTool::OnPlane);
+    draw({{12.6, 106.6}, {19, 92}, {26, 75}, {33, 58}});
+    draw({{33, 58}, {22, 56.5}, {11, 55.5}, {0, 55}});
+    view(ui::GarmentView::Back);
+    tool(ui::GarmentTool::OnBody);
+    draw({{0, 106}, {-5, 106}, {-10, 106.3}, {-12.6, 106.6}});
+}
+
+}  // namespace test

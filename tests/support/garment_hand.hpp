@@ -1,0 +1,38 @@
+#pragma once
+// A designer's hand at the Garment screen: presses on the board's controls and strokes on the sheet, given in
+// centimetres of the view that is large.
+
+#include <vector>
+
+#include "tests/support/kiosk_stand.hpp"
+
+namespace test {
+
+class GarmentHand {
+  public:
+    explicit GarmentHand(KioskStand& kiosk) : kiosk_(kiosk) {}
+
+    /// From any of the visitor's screens to an empty figure.
+    void enter();
+    /// Opens a worked design of core/garment/wardrobe instead.
+    void open(const char* design);
+
+    void press(ui::GarmentAction action, std::size_t index = 0);
+    void tool(ui::GarmentTool tool);
+    /// The tile, and again until it shows this view.
+    void view(ui::GarmentView view);
+    /// Through these places of the view, a sample every half centimetre. `lift` false: the pen stays down.
+    void draw(const std::vector<core::Point>& through_cm, bool lift = true);
+    void tap(core::Point at_cm);
+    /// Along a slider to a share of it; `lift` false: it stays held.
+    void slide(const ui::Rect& slider, double share, bool lift = true);
+    void offset(double cm);
+    /// The front of a skirt and its back, as a beginner draws them.
+    void skirt();
+
+  private:
+    [[nodiscard]] core::Point px(core::Point at_cm) const;
+    KioskStand& kiosk_;
+};
+
+}  // namespace test
