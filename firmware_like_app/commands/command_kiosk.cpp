@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/parallel.hpp"
+#include "core/exchange/file_bytes.hpp"
 #include "firmware_like_app/collection/kept_collection.hpp"
 #include "firmware_like_app/commands/commands.hpp"
 #include "firmware_like_app/kiosk/kiosk.hpp"
@@ -48,10 +49,29 @@ core::Result<Config> settings_of(const KioskCommandOptions& options) {
     return config;
 }
 
-/// Drawings only: a picture has no strokes to replay.
-core::Result<std::vector<NamedDrawing>> read_replays(const std::vector<std::string>& files) {
+/// What was recorded while a garment was drawn; nothing for all other files.
+core::Result<std::optional<GarmentReplay>> read_garment(const std::string& file) {
+    const core::Result<std::string> text = core::read_file_bytes(file, input::kMaxTraceBytes);
+    if (!text) return std::optional<GarmentReplay>();  // a drawing by another name, "file.ndjson:3"
+    if (!input::looks_like_trace(*text)) return std::optional<GarmentReplay>();
+    const core::Result<input::Trace> trace = input::parse_trace(*text);
+    if (!trace || !is_garment_trace(*trace)) return std::optional<GarmentReplay>();
+    core::Result<GarmentReplay> replay = garment_replay(*trace, std::filesystem::path(file).stem().string());
+    if (!replay) return core::unexpected(replay.error());
+    return std::optional<GarmentReplay>(std::move(*replay));
+}
+
+/// Drawings only: a picture has no strokes to replay. Garments go to `garments`.
+core::Result<std::vector<NamedDrawing>> read_replays(const std::vector<std::string>& files,
+                                                     std::vector<GarmentReplay>& garments) {
     std::vector<NamedDrawing> drawings;
     for (const std::string& file : files) {
+        core::Result<std::optional<GarmentReplay>> garment = read_garment(file);
+        if (!garment) return core::unexpected(garment.error());
+        if (*garment) {
+            garments.push_back(std::move(**garment));
+            continue;
+        }
         core::Result<core::Drawing> drawing = input::read_drawing_of_ink(file);
         if (!drawing) return core::unexpected(drawing.error());
         drawings.push_back({file, std::move(*drawing)});
@@ -75,6 +95,10 @@ std::unique_ptr<KeptCollection> open_collection(const Config& config) {
 /// What a replay found, in words.
 std::string outcome(const ReplayReport& replay) {
     if (!replay.failure.empty()) return replay.failure;
+    if (replay.steps > 0) {
+        return "a garment of " + std::to_string(replay.pieces) + " pieces in " + std::to_string(replay.steps) +
+               " steps";
+    }
     if (replay.message_key == "too_little") return "too little is drawn to compare";
     if (replay.names.empty()) return "nothing found";
     std::string words;
@@ -89,6 +113,7 @@ std::string outcome(const ReplayReport& replay) {
 void print_for_people(const ReplayReport& replay) {
     if (!replay.name.empty()) std::printf("%s: %s\n", replay.name.c_str(), outcome(replay).c_str());
     for (const auto& shot : replay.shots) std::printf("  %s\n", shot.string().c_str());
+    if (!replay.design.empty()) std::printf("  %s\n", replay.design.string().c_str());
 }
 
 /// Shares of the replays that found something at all.
@@ -129,6 +154,12 @@ void print_report(const KioskReport& report, bool as_json, bool early) {
              {"failure", r.failure},
              {"searches", r.searches},
              {"shots", shots},
+             {"design", r.design.string()},
+             {"steps", r.steps},
+             {"pieces", r.pieces},
+             {"design", r.design.string()},
+             {"steps", r.steps},
+             {"pieces", r.pieces},
              {"ms", {{"silhouette", r.silhouette_ms}, {"describe", r.describe_ms}, {"search", r.search_ms}}}});
     }
     if (early && !as_json) print_early(report);
@@ -166,7 +197,7 @@ void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) 
     kiosk.times = times_of(*config);
     kiosk.expect_tablet = config->tablet.expected;
     kiosk.pens = pens_of(*config);
-    core::Result<std::vector<NamedDrawing>> replays = read_replays(options.replays);
+    core::Result<std::vector<NamedDrawing>> replays = read_replays(options.replays, kiosk.garments);
     if (!replays) return fail(state, replays.error());
     const std::unique_ptr<KeptCollection> collection = open_collection(*config);
     const core::Result<KioskReport> report = run_kiosk(kiosk, *collection, std::move(*replays));
@@ -213,8 +244,8 @@ void add_kiosk_command(CLI::App& cli, CommandState& state) {
         "controls for a left-handed visitor");
     command->add_flag("--headless", options->headless, "render without a screen; ends when the replays do");
     command->add_option("--replay", options->replays,
-                        "recorded drawings: traces, recordings of tablets, SVG, InkML, Quick-Draw lines, "
-                        "stroke lists");
+                        "recorded drawings: traces, those of garments too, recordings of tablets, SVG, InkML, "
+                        "Quick-Draw lines, stroke lists");
     command->add_option("--shots", options->shots, "folder for numbered pictures");
     command->add_flag(
         "--early", options->early,

@@ -38,6 +38,10 @@ class FigureViews {
     void set_dress(FigureDress dress);
     /// Other places for the vertices of a layer, while it moves; null: its own again.
     void set_places(int layer, const std::vector<core::Vec3>* places);
+    /// Those of a layer that moves; null for the others.
+    [[nodiscard]] const std::vector<core::Vec3>* places_of(int layer) const {
+        return layer == live_layer_ ? &live_ : nullptr;
+    }
     void set_quads(bool quads);
     void set_own_fabric(const std::string& name, const core::RgbaImage& picture);
 

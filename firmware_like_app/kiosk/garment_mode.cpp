@@ -100,7 +100,7 @@ core::Result<void> GarmentMode::open(const core::Design& design) {
     desk_.emplace(std::move(*desk));
     body_.set(desk_->state().settings().body);
     textured_.clear();
-    piece_.clear();
+    choose_piece();
     line_.clear();
     notes_.clear();
     problem_.clear();
@@ -190,16 +190,62 @@ void GarmentMode::follow_live() {
 
 void GarmentMode::note(const core::DeskNote& note) {
     static const std::map<std::string, std::string> kKeys{
-        {"outline_open", "note_open"},     {"off_body", "off_the_figure"}, {"plane_edge_on", "edge_on"},
-        {"too_short", "stroke_too_short"}, {"no_region", "nothing_here"},  {"not_across", "not_across"},
-        {"not_filled", "note_not_filled"}, {"layers_touch", "note_touch"}, {"nothing_here", "nothing_here"},
-        {"body_unfit", "body_unfit"}};
+        {"outline_open", "note_open"},     {"off_body", "off_the_figure"},    {"plane_edge_on", "edge_on"},
+        {"too_short", "stroke_too_short"}, {"open_middle", "note_middle"},    {"no_region", "nothing_here"},
+        {"not_across", "not_across"},      {"not_filled", "note_not_filled"}, {"layers_touch", "note_touch"},
+        {"nothing_here", "nothing_here"},  {"body_unfit", "body_unfit"}};
     const auto key = kKeys.find(note.key);
-    if (note.key == "outline_open" || note.key == "not_filled" || note.key == "layers_touch") {
+    if (note.key == "outline_open" || note.key == "open_middle" || note.key == "not_filled" ||
+        note.key == "layers_touch") {
         notes_.emplace_back(note, key->second);
     } else {
         problem_ = key != kKeys.end() ? words()[key->second] : note.sentence;
     }
+}
+
+/// The slider changes the piece that was chosen; where there is none on this layer, the newest.
+void GarmentMode::choose_piece() {
+    if (!piece_for_folds().empty()) return;
+    piece_.clear();
+    for (const core::NetworkRegion& region : desk_->network().regions()) {
+        if (region.alive && region.layer == desk_->layer()) piece_ = region.name;
+    }
+}
+
+/// Between two ends on the middle plane: straight, and outside of the body where that bulges.
+void GarmentMode::close_middle(const core::DeskNote& from, std::int64_t now_us) {
+    const core::DeskNote* to = nullptr;
+    for (const core::DeskNote& other : drawing_.open_middles) {
+        const double apart = core::length(other.place - from.place);
+        const bool same_side = other.place.z * from.place.z >= 0;
+        if (apart < 1 || !same_side) continue;
+        if (to == nullptr || apart < core::length(to->place - from.place)) to = &other;
+    }
+    if (to == nullptr) {
+        problem_ = words()["middle_needs_two"];
+        return;
+    }
+    const core::DrawingView side = *core::named_view("left");
+    core::DeskSettings& settings = desk_->settings();
+    settings.tool = core::DeskTool::DrawOnPlane;
+    settings.plane_cm = 0.0;
+    const int steps = std::max(4, static_cast<int>(core::length(to->place - from.place)));
+    for (int i = 0; i <= steps; ++i) {
+        core::Vec3 place = from.place + (to->place - from.place) * (static_cast<double>(i) / steps);
+        if (i > 0 && i < steps) {
+            const core::FieldSample field = desk_->state().obstacle().sample(place);
+            if (field.distance < offset_cm_) place = place + field.gradient * (offset_cm_ - field.distance);
+        }
+        place.x = 0;
+        if (i == 0) {
+            desk_->begin(side, side.project(place));
+        } else {
+            desk_->extend(side, side.project(place));
+        }
+    }
+    const core::DeskReply reply = desk_->end();
+    settings.plane_cm.reset();
+    take_reply(reply, now_us);
 }
 
 /// What an act brought: notes, a tape, another design.
@@ -211,13 +257,7 @@ void GarmentMode::take_reply(const core::DeskReply& reply, std::int64_t now_us) 
     for (const core::DeskNote& n : reply.notes) note(n);
     if (reply.changed) {
         cleared_ = false;
-        // the newest piece is the one the slider changes
-        std::string newest;
-        for (const core::NetworkRegion& region : desk_->network().regions()) {
-            if (region.alive && region.layer == desk_->layer()) newest = region.name;
-        }
-        const core::NetworkRegion* selected = desk_->network().find_region(piece_);
-        if (selected == nullptr || !selected->alive || selected->layer != desk_->layer()) piece_ = newest;
+        choose_piece();
         (void)desk_->take_journal();
         request_cloth();
         show_cloth();
@@ -397,6 +437,7 @@ void GarmentMode::touch_sheet(const ui::WindowEvent& event) {
     core::DeskSettings& settings = desk_->settings();
     settings.tool = desk_tool();
     settings.offset_cm = offset_cm_;
+    settings.plane_cm.reset();
     const double scale = views_.camera().scale_px;
     const bool grasps = tool_ == ui::GarmentTool::Move || tool_ == ui::GarmentTool::Weld ||
                         tool_ == ui::GarmentTool::Corner || erasing_ || tool_ == ui::GarmentTool::Eraser;
@@ -487,6 +528,13 @@ void GarmentMode::end_stroke(const ui::WindowEvent& event) {
     const bool line = core::draws_line(desk_->settings().tool) && desk_->settings().tool != core::DeskTool::Add;
     if (!moved_ && line) {  // a tap with a drawing tool picks
         desk_->cancel();
+        for (const core::DeskNote& middle : drawing_.open_middles) {
+            const core::Point at = views_.camera().to_px(middle.place);
+            if (core::distance(at, {event.x, event.y}) < layout_.px(kGrasp_px)) {
+                close_middle(core::DeskNote(middle), event.time_us);
+                return;
+            }
+        }
         select_at({event.x, event.y});
         return;
     }
@@ -584,7 +632,6 @@ void GarmentMode::project() {
     wishes.shaping =
         tool_ == T::Move || tool_ == T::Weld || tool_ == T::Corner || tool_ == T::Smooth || tool_ == T::Bump;
     wishes.selected_line = line_;
-    wishes.selected_piece = piece_;
     drawing_ = draw_sheet(*desk_, views_, wishes);
     make_washes();
 }

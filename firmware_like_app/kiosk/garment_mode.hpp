@@ -65,6 +65,7 @@ class GarmentMode final : public Mode {
     /// Ends what moves and makes what is due: cloth, small pictures.
     void settle(std::int64_t now_us);
 
+    [[nodiscard]] bool pen_is_down() const { return hold_ != Hold::None; }
     [[nodiscard]] const ui::GarmentLayout& layout() const { return layout_; }
     [[nodiscard]] ui::GarmentState state(std::int64_t now_us) const;
     [[nodiscard]] FigureViews& views() { return views_; }
@@ -79,6 +80,8 @@ class GarmentMode final : public Mode {
     void ready_desk();
     void take_reply(const core::DeskReply& reply, std::int64_t now_us);
     void note(const core::DeskNote& note);
+    void choose_piece();
+    void close_middle(const core::DeskNote& from, std::int64_t now_us);
     void request_cloth();
     void take_cloth();
     void show_cloth();

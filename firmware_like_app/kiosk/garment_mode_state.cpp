@@ -14,7 +14,7 @@ namespace app {
 namespace {
 
 constexpr int kFirstFabric = 20, kFirstWash = 40;
-constexpr double kAxisAbove_cm = 8, kPlaneHalf_cm = 38;
+constexpr double kAxisAbove_cm = 4, kPlaneHalf_cm = 38;
 constexpr double kNotedGap_cm = 15;  // wider ones are lines still to come, not mistakes
 
 const char* key_of(core::DesignStep::Kind kind) {
@@ -221,6 +221,11 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     for (const auto& [note, key] : notes_) {
         if (note.key == "outline_open" && (note.gap_cm <= 0 || note.gap_cm > kNotedGap_cm)) continue;
         state.notes.push_back({words()[key], views_.camera().to_px(note.place), true});
+    }
+    // two ends on the middle can be joined by a tap on one of them
+    if (drawing_.open_middles.size() > 1 && hold_ == Hold::None && state.notes.empty()) {
+        state.notes.push_back(
+            {words()["note_middle"], views_.camera().to_px(drawing_.open_middles.front().place), true});
     }
     if (notes_.empty() && desk_->cloth_is_current()) {
         for (const core::DeskNote& fault : desk_->cloth_faults()) {

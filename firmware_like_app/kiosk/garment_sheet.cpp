@@ -1,7 +1,10 @@
 #include "firmware_like_app/kiosk/garment_sheet.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -84,13 +87,73 @@ void add_projected(std::vector<ui::SheetLine>& out, const core::SpaceLine& line,
     if (run.px.size() > 1) out.push_back(std::move(run));
 }
 
+/// Edges joined to lines as long as they go on.
+std::vector<core::SpaceLine> chained(const std::vector<std::array<std::uint32_t, 2>>& edges,
+                                     const std::vector<core::Vec3>& places) {
+    std::multimap<std::uint32_t, std::size_t> at;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        at.emplace(edges[i][0], i);
+        at.emplace(edges[i][1], i);
+    }
+    std::vector<bool> used(edges.size());
+    std::vector<core::SpaceLine> lines;
+    const auto walk = [&](std::uint32_t from, std::size_t edge) {
+        core::SpaceLine line{places[from]};
+        for (bool on = true; on;) {
+            used[edge] = true;
+            from = edges[edge][0] == from ? edges[edge][1] : edges[edge][0];
+            line.push_back(places[from]);
+            on = false;
+            const auto [first, last] = at.equal_range(from);
+            if (std::distance(first, last) != 2) break;  // an end, or where lines meet
+            for (auto it = first; it != last; ++it) {
+                if (used[it->second]) continue;
+                edge = it->second;
+                on = true;
+            }
+        }
+        lines.push_back(std::move(line));
+    };
+    for (const bool rings : {false, true}) {  // lines from their ends first, then what has none
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            for (const std::uint32_t end : edges[i]) {
+                if (!used[i] && (rings || at.count(end) != 2)) walk(end, i);
+            }
+        }
+    }
+    return lines;
+}
+
+void add_cloth_edges(std::vector<ui::SheetLine>& out, const core::GarmentDesk& desk, FigureViews& views) {
+    const core::DesignLook& look = desk.state().look();
+    for (const core::BuiltLayer& layer : desk.cloth()) {
+        const auto number = static_cast<std::size_t>(layer.layer);
+        if (!layer.cloth || (number < look.layers.size() && !look.layers[number].shown)) continue;
+        const core::Cloth& cloth = layer.cloth->fitted;
+        const std::vector<core::Vec3>* live = views.places_of(layer.layer);
+        const std::vector<core::Vec3>& places = live != nullptr ? *live : cloth.mesh.vertices;
+        const core::ClothEdges edges = core::edges_of(cloth);
+        for (const auto* some : {&edges.hems, &edges.seams}) {
+            for (const core::SpaceLine& line : chained(*some, places)) {
+                add_projected(out, line, views, Kind::Seam, false);
+            }
+        }
+    }
+}
+
 SheetDrawing draw_sheet(const core::GarmentDesk& desk, FigureViews& views, const SheetWishes& wishes) {
     SheetDrawing out;
     const core::Network& network = desk.network();
     const bool mirror = desk.state().look().mirror;
     const std::map<std::string, Kind> kinds = kinds_of(desk.design());
     const std::set<int> in_cloth = lines_of(network, pieces_in_cloth(desk));
-    const std::set<int> in_piece = lines_of(network, {wishes.selected_piece});
+    add_cloth_edges(out.lines, desk, views);
+    std::vector<core::Vec3> open;
+    for (const core::DeskNote& note : desk.open_places()) {
+        out.open_ends_px.push_back(views.camera().to_px(note.place));
+        open.push_back(note.place);
+        if (note.key == "open_middle") out.open_middles.push_back(note);
+    }
     std::set<int> strong_ends;
     for (std::size_t i = 0; i < network.lines().size(); ++i) {
         const core::NetworkLine& line = network.lines()[i];
@@ -98,19 +161,17 @@ SheetDrawing draw_sheet(const core::GarmentDesk& desk, FigureViews& views, const
         const bool meshed = in_cloth.count(static_cast<int>(i)) > 0;
         const auto known = kinds.find(line.name);
         const Kind drawn = known != kinds.end() ? known->second : Kind::Plane;
-        const bool strong = wishes.shaping || !meshed;
         const bool selected = !wishes.selected_line.empty() && line.name == wishes.selected_line;
-        add_projected(out.lines, line.shape, views, strong || selected ? drawn : Kind::Seam, selected);
         if (mirror && !meshed) add_projected(out.lines, mirrored(line.shape), views, Kind::Mirrored, false);
-        if (wishes.shaping || (wishes.handles && strong)) strong_ends.insert({line.from, line.to});
+        if (meshed && !wishes.shaping && !selected) continue;  // its cloth shows it
+        add_projected(out.lines, line.shape, views, drawn, selected);
+        strong_ends.insert({line.from, line.to});
     }
     for (const int v : strong_ends) {
         const core::Vec3 place = network.vertices()[static_cast<std::size_t>(v)].place;
-        if (!views.hides(place)) out.handles_px.push_back(views.camera().to_px(place));
-    }
-    for (const core::DeskNote& note : desk.open_places()) {
-        out.open_ends_px.push_back(views.camera().to_px(note.place));
-        out.open_ends.push_back(note.place);
+        const bool ringed =
+            std::any_of(open.begin(), open.end(), [&](const core::Vec3& p) { return core::length(p - place) < 0.5; });
+        if (!ringed && !views.hides(place)) out.handles_px.push_back(views.camera().to_px(place));
     }
     return out;
 }

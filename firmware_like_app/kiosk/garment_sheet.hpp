@@ -15,17 +15,17 @@ namespace app {
 struct SheetDrawing {
     std::vector<ui::SheetLine> lines;
     std::vector<core::Point> handles_px, open_ends_px;
-    std::vector<core::Vec3> open_ends;  ///< in space, near ones first
+    /// Ends on the middle plane that wait for a line along it: a tap on one draws it.
+    std::vector<core::DeskNote> open_middles;
 };
 
 struct SheetWishes {
     bool shaping = false;       ///< a tool that changes lines is in hand: all lines strong, with handles
-    bool handles = true;        ///< at the ends of lines that bound no cloth yet
     std::string selected_line;  ///< by name; empty: none
-    std::string selected_piece;
 };
 
-/// Cost: some look-ups in the depth map a point of a line.
+/// Hems and seams of all cloth that is shown, then the lines of the layer that is worked on. Cost: some look-ups in
+/// the depth map a point of a line.
 [[nodiscard]] SheetDrawing draw_sheet(const core::GarmentDesk& desk, FigureViews& views, const SheetWishes& wishes);
 
 /// A line in space as the screen shows it: in stretches that are seen and stretches that are hidden.

@@ -4,8 +4,10 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <fstream>
 #include <utility>
 
+#include "core/exchange/design_file.hpp"
 #include "core/exchange/png_writer.hpp"
 #include "firmware_like_app/kiosk/drawing_recorder.hpp"
 #include "firmware_like_app/kiosk/find_mode.hpp"
@@ -42,13 +44,16 @@ std::string file_part(const std::string& name) {
 
 class Loop {
   public:
-    Loop(const KioskOptions& options, std::vector<NamedDrawing> replays, Surface& surface, FindMode& find, Shell& shell,
-         PenDesk& pens, CollectionHost& collection)
+    Loop(const KioskOptions& options, std::vector<NamedDrawing> replays, Surface& surface, FindMode& find,
+         GarmentMode& garment, Shell& shell, const std::vector<ui::Strings>& languages, PenDesk& pens,
+         CollectionHost& collection)
         : options_(options),
           replays_(std::move(replays)),
           surface_(surface),
           find_(find),
+          garment_(garment),
           shell_(shell),
+          languages_(languages),
           pens_(pens),
           collection_(collection),
           player_(replays_, options.headless ? 0 : kReplayRest_us),
@@ -57,9 +62,11 @@ class Loop {
     }
 
     core::Result<KioskReport> run() {
-        if (replays_.empty() && options_.headless) return still_picture();
+        if (replays_.empty() && options_.garments.empty() && options_.headless) return still_picture();
         start_us_ = surface_.now_us();
         if (!replays_.empty()) shell_.open_sheet(start_us_);
+        for (const GarmentReplay& garment : options_.garments) play(garment);
+        start_us_ = surface_.now_us();
         while (!ended_ && failure_.has_value()) {
             point();
             replay();
@@ -70,7 +77,9 @@ class Loop {
                 frame_due_ = false;
             }
             surface_.next_frame(drawn);
-            if (player_.ended() && (options_.headless || (options_.end_after_replays && !replays_.empty()))) break;
+            if (player_.ended() &&
+                (options_.headless || (options_.end_after_replays && !(replays_.empty() && options_.garments.empty()))))
+                break;
         }
         if (!options_.headless) record();
         if (!failure_) return core::unexpected(failure_.error());
@@ -245,6 +254,91 @@ class Loop {
         }
     }
 
+    /// A garment drawn again, event by event in its own time, then its design beside the pictures.
+    void play(const GarmentReplay& replay) {
+        if (!failure_ || ended_) return;
+        const std::int64_t start_us = surface_.now_us();
+        report_.replays.emplace_back();
+        report_.replays.back().name = replay.name;
+        shell_.open_sheet(start_us);
+        shell_.open_garment(true, start_us);
+        garment_.wipe(language_named(replay.start.language), replay.start.hand);
+        std::size_t next = 0, mark = 0;
+        while (next < replay.events.size() && failure_ && !ended_) {
+            const std::int64_t now_us = surface_.now_us();
+            shell_.pen_near(true, now_us);
+            for (; next < replay.events.size() && start_us + replay.events[next].time_us <= now_us; ++next) {
+                play(replay.events[next], replay.start.screen, start_us);
+            }
+            for (const ui::WindowEvent& event : surface_.poll()) handle(event);
+            show();
+            const std::size_t done = next * 100 / replay.events.size();
+            if (!garment_.pen_is_down() && mark < kMarks.size() && done >= static_cast<std::size_t>(kMarks[mark])) {
+                while (mark < kMarks.size() && done >= static_cast<std::size_t>(kMarks[mark])) ++mark;
+                shoot_garment(replay.name, kMarks[mark - 1]);
+            }
+        }
+        if (mark < kMarks.size()) shoot_garment(replay.name, kMarks.back());
+        keep_design(replay.name);
+    }
+
+    /// An event as if it happened now, on a screen of this size.
+    void play(ui::WindowEvent event, ui::SizePx screen, std::int64_t start_us) {
+        event.time_us += start_us;
+        const double sx = static_cast<double>(surface_.size().width) / screen.width;
+        const double sy = static_cast<double>(surface_.size().height) / screen.height;
+        if (event.kind != ui::WindowEvent::Kind::Zoom || event.finger) {
+            event.x *= sx;
+            event.y *= sy;
+        }
+        event.shift_x *= sx;
+        event.shift_y *= sy;
+        if (event.kind == ui::WindowEvent::Kind::Cancel) return shell_.cancel_pointer(event.time_us);
+        shell_.pointer(event);
+    }
+
+    void show() {
+        update();
+        const bool drawn = surface_.shows_frames() && (frame_due_ || shell_.changed(surface_.now_us()));
+        if (drawn) {
+            draw_frame();
+            frame_due_ = false;
+        }
+        surface_.next_frame(drawn);
+    }
+
+    void shoot_garment(const std::string& name, int percent) {
+        if (options_.shots.empty() || !options_.headless) return;
+        garment_.settle(surface_.now_us());
+        std::array<char, 16> end{};
+        std::snprintf(end.data(), end.size(), "-%03d", percent);
+        shoot(file_part(name) + end.data());
+    }
+
+    void keep_design(const std::string& name) {
+        garment_.settle(surface_.now_us());
+        ReplayReport& report = report_.replays.back();
+        const core::Design design = garment_.design();
+        report.steps = static_cast<int>(design.steps.size());
+        for (const core::NetworkRegion& region : garment_.desk().network().regions()) report.pieces += region.alive;
+        if (options_.shots.empty()) return;
+        report.design = options_.shots / (file_part(name) + ".design.json");
+        std::ofstream file(report.design, std::ios::binary);
+        file << core::design_text(design);
+        file.close();
+        if (file) return;
+        failure_ =
+            core::unexpected(core::ErrorCode::WriteFailed,
+                             "the design cannot be written; check that the folder has room", report.design.string());
+    }
+
+    [[nodiscard]] std::size_t language_named(const std::string& code) const {
+        for (std::size_t i = 0; i < languages_.size(); ++i) {
+            if (languages_[i].code() == code) return i;
+        }
+        return 0;
+    }
+
     void mark() {
         const int percent = kMarks[next_mark_++];
         if (options_.shots.empty()) return;
@@ -310,7 +404,9 @@ class Loop {
     std::vector<NamedDrawing> replays_;
     Surface& surface_;
     FindMode& find_;
+    GarmentMode& garment_;
     Shell& shell_;
+    const std::vector<ui::Strings>& languages_;
     PenDesk& pens_;
     CollectionHost& collection_;
     std::int64_t collection_seen_us_ = -kCollectionLook_us;
@@ -332,7 +428,10 @@ class Loop {
 };
 
 core::Result<std::unique_ptr<Surface>> open_surface(const KioskOptions& options) {
-    if (options.headless) return make_headless_surface(options.size.value_or(kDefaultSize));
+    if (options.headless) {
+        const ui::SizePx usual = options.garments.empty() ? kDefaultSize : options.garments.front().start.screen;
+        return make_headless_surface(options.size.value_or(usual));
+    }
     ui::WindowOptions window;
     window.size = options.size.value_or(kDefaultSize);
     window.full_screen = !options.windowed;
@@ -361,7 +460,7 @@ core::Result<void> make_folder(const std::filesystem::path& folder) {
 
 core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost& collection,
                                     std::vector<NamedDrawing> replays) {
-    if (options.headless && replays.empty() && options.shots.empty()) {
+    if (options.headless && replays.empty() && options.garments.empty() && options.shots.empty()) {
         return core::unexpected(core::ErrorCode::BadArgument,
                                 "a kiosk without a screen needs something to do; give --replay, --shots or both");
     }
@@ -423,7 +522,8 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost&
     core::Result<std::unique_ptr<PenDesk>> pens = open_pens(options, numbers);
     if (!pens) return core::unexpected(pens.error());
     pens_in_use = pens->get();
-    return Loop(options, std::move(replays), **surface, **find, **shell, **pens, collection).run();
+    return Loop(options, std::move(replays), **surface, **find, **garment, **shell, *languages, **pens, collection)
+        .run();
 }
 
 core::Result<KioskReport> run_kiosk(const KioskOptions& options, Searcher* searcher,

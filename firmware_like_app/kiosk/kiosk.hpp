@@ -12,6 +12,7 @@
 #include "core/base/result.hpp"
 #include "firmware_like_app/config/config.hpp"
 #include "firmware_like_app/kiosk/collection_host.hpp"
+#include "firmware_like_app/kiosk/garment_trace.hpp"
 #include "firmware_like_app/kiosk/pen_desk.hpp"
 #include "firmware_like_app/kiosk/replay_player.hpp"
 #include "firmware_like_app/kiosk/searcher.hpp"
@@ -28,8 +29,9 @@ struct KioskOptions {
     bool end_after_replays = true;   ///< false: in a window the sheet is free when the replays end
     std::filesystem::path shots;     ///< folder for numbered pictures at 25, 50, 75 and 100 % of each replay's ink
     std::filesystem::path record;    ///< folder for what visitors draw: a trace a drawing, and one of all that pointed
-    bool tablets = true;             ///< read the tablets of this machine, in a window
-    input::PipelineOptions pens;     ///< calibration, pressure, smoothing of tablets
+    std::vector<GarmentReplay> garments;                      ///< played after the drawings
+    bool tablets = true;                                      ///< read the tablets of this machine, in a window
+    input::PipelineOptions pens;                              ///< calibration, pressure, smoothing of tablets
     std::function<void(const TabletChange&)> tablet_changed;  ///< called between frames
     std::string language = "en";                              ///< code of a language file
     ui::Hand hand = ui::Hand::Right;
@@ -54,7 +56,9 @@ struct ReplayReport {
     int searches = 0;
     /// With KioskOptions::early_looks: whether the best model of the end was among the first ten at 40, 60 and 80 %.
     std::array<bool, 3> end_seen{};
-    std::string failure;  ///< what went wrong while searching; empty when all is well
+    std::filesystem::path design;  ///< of a garment: the file it was written to, beside the shots
+    int steps = 0, pieces = 0;     ///< of a garment
+    std::string failure;           ///< what went wrong while searching; empty when all is well
     std::vector<std::filesystem::path> shots;
 };
 

@@ -16,7 +16,8 @@ T value_of(core::Result<T> result) {
 
 }  // namespace
 
-KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOptions find_options)
+KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOptions find_options,
+                       const std::filesystem::path& record)
     : context_(value_of(ui::make_headless_context())),
       fonts_(std::make_unique<ui::FontSet>(value_of(ui::FontSet::load()))),
       languages(value_of(ui::Strings::load_all())),
@@ -32,6 +33,7 @@ KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOp
     garment_options.language = options.language;
     garment_options.hand = options.hand;
     garment_options.every_frame_seen = false;
+    garment_options.record = record;
     garment = value_of(app::GarmentMode::create(*fonts_, languages, garment_options, size));
     options.garment = garment.get();
     shell = value_of(app::Shell::create(*fonts_, languages, *find, &collection.searcher(), options, size, now_us));

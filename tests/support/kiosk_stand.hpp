@@ -1,6 +1,7 @@
 #pragma once
 // A kiosk without a screen on a clock that the test moves: taps and strokes in, scenes and pictures out.
 
+#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -14,7 +15,9 @@ namespace test {
 class KioskStand {
   public:
     /// A small collection of built animals. Throws std::runtime_error with the sentence of what is missing.
-    explicit KioskStand(ui::SizePx size, app::ShellOptions options = {}, app::FindOptions find_options = {});
+    /// `record`: a folder for what is drawn in Garment.
+    explicit KioskStand(ui::SizePx size, app::ShellOptions options = {}, app::FindOptions find_options = {},
+                        const std::filesystem::path& record = {});
 
     /// Frames of 1/60 s until that time is over; of 1/10 s where it is longer than five seconds.
     void wait(double seconds);

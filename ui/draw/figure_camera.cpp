@@ -30,11 +30,14 @@ core::Point FigureCamera::to_drawing(core::Point px) const {
 
 FigureCamera framed(const core::DrawingView& view, const Rect& box, double height_cm) {
     FigureCamera camera{view, 1, {0, 0}};
+    // a view in perspective is for looking: the figure as large as it goes, hands may come near the edge
+    const double half_width = view.eye_distance > 0 ? 30 : kHalfWidth_cm;
+    const double half_depth = view.eye_distance > 0 ? 14 : kHalfDepth_cm;
     double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
     for (int corner = 0; corner < 8; ++corner) {
         const core::Point p =
-            camera.to_px({(corner & 1) != 0 ? kHalfWidth_cm : -kHalfWidth_cm, (corner & 2) != 0 ? height_cm : 0.0,
-                          (corner & 4) != 0 ? kHalfDepth_cm : -kHalfDepth_cm});
+            camera.to_px({(corner & 1) != 0 ? half_width : -half_width, (corner & 2) != 0 ? height_cm : 0.0,
+                          (corner & 4) != 0 ? half_depth : -half_depth});
         left = std::min(left, p.x);
         right = std::max(right, p.x);
         top = std::min(top, p.y);

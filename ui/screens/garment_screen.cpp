@@ -165,10 +165,13 @@ class Drawer {
 
     [[nodiscard]] std::string where() const {
         const std::string view = words_[view_key(state_.view)];
+        const bool draws = state_.tool == GarmentTool::OnPlane || state_.tool == GarmentTool::OnBody;
+        if (state_.view == GarmentView::Solid && (draws || state_.drawer != GarmentDrawer::None)) {
+            return words_["drag_beside"];
+        }
         switch (state_.tool) {
             case GarmentTool::OnPlane:
-                return state_.view == GarmentView::Solid ? words_["drag_beside"]
-                                                         : filled_in(words_["lines_plane"], {{"view", view}});
+                return filled_in(words_["lines_plane"], {{"view", view}});
             case GarmentTool::OnBody:
                 return filled_in(words_["lines_body"], {{"x", tenths_in(words_, state_.offset_cm)}});
             case GarmentTool::TemporaryPlane:

@@ -109,7 +109,7 @@ void draw_handle(DrawList& list, core::Point at, double scale, bool held) {
 
 void draw_open_end(DrawList& list, core::Point at, double scale, const Rect& clip) {
     if (!clip.contains(at.x, at.y)) return;
-    const double side = 22 * scale;
+    const double side = 24 * scale;
     list.box({at.x - side / 2, at.y - side / 2, side, side}, side / 2, palette::kNone, palette::kSanguine, 3 * scale);
 }
 

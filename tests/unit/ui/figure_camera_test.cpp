@@ -48,7 +48,9 @@ TEST_CASE("the pen's ray passes through what is drawn under the pen, in every vi
 
 TEST_CASE("a framed figure stands inside its box", "[figure camera]") {
     for (const ui::FigureCamera& camera : cameras()) {
-        for (const Vec3 place : {Vec3{60, 0, 0}, Vec3{-60, 0, 0}, Vec3{0, 170, 0}, Vec3{0, 0, 40}}) {
+        const bool solid = camera.view.eye_distance > 0;
+        const double wide = solid ? 25 : 60, deep = solid ? 12 : 40;
+        for (const Vec3 place : {Vec3{wide, 0, 0}, Vec3{-wide, 0, 0}, Vec3{0, 170, 0}, Vec3{0, 0, deep}}) {
             const core::Point px = camera.to_px(place);
             CHECK(px.x >= kBox.x - 1e-6);
             CHECK(px.x <= kBox.right() + 1e-6);
