@@ -19,15 +19,16 @@ using ToolKind = DrawingTool::Kind;
 constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
 constexpr const char* kFormat = "croquis-garment";
 
-constexpr std::array<std::pair<Kind, const char*>, 24> kSteps{
-    {{Kind::Line, "line"},     {Kind::Region, "region"},       {Kind::Cut, "cut"},
-     {Kind::Hole, "hole"},     {Kind::Remove, "remove"},       {Kind::Corner, "corner"},
-     {Kind::Alpha, "alpha"},   {Kind::Move, "move"},           {Kind::Weld, "weld"},
-     {Kind::Layer, "layer"},   {Kind::Associate, "associate"}, {Kind::Erase, "erase"},
-     {Kind::Join, "join"},     {Kind::Smooth, "smooth"},       {Kind::Bump, "bump"},
-     {Kind::Rename, "rename"}, {Kind::Material, "material"},   {Kind::Mirror, "mirror"},
-     {Kind::Work, "work"},     {Kind::Order, "order"},         {Kind::Show, "show"},
-     {Kind::Body, "body"},     {Kind::Place, "place"},         {Kind::Unplace, "unplace"}}};
+constexpr std::array<std::pair<Kind, const char*>, 25> kSteps{
+    {{Kind::Line, "line"},      {Kind::Region, "region"},       {Kind::Cut, "cut"},
+     {Kind::Hole, "hole"},      {Kind::Remove, "remove"},       {Kind::Corner, "corner"},
+     {Kind::Alpha, "alpha"},    {Kind::Move, "move"},           {Kind::Weld, "weld"},
+     {Kind::Layer, "layer"},    {Kind::Associate, "associate"}, {Kind::Erase, "erase"},
+     {Kind::Join, "join"},      {Kind::Meet, "meet"},           {Kind::Smooth, "smooth"},
+     {Kind::Bump, "bump"},      {Kind::Rename, "rename"},       {Kind::Material, "material"},
+     {Kind::Mirror, "mirror"},  {Kind::Work, "work"},           {Kind::Order, "order"},
+     {Kind::Show, "show"},      {Kind::Body, "body"},           {Kind::Place, "place"},
+     {Kind::Unplace, "unplace"}}};
 constexpr std::array<std::pair<ToolKind, const char*>, 6> kTools{{{ToolKind::Body, "body"},
                                                                   {ToolKind::PlaneXY, "plane_xy"},
                                                                   {ToolKind::PlaneXZ, "plane_xz"},
@@ -219,7 +220,8 @@ void since_version_3(const Json& json, DesignStep& step) {
     if (step.kind == Kind::Region && json.contains("replaces")) step.region = text(json, "replaces");
     if (along_line(step.kind)) step.lines = {text(json, "line")};
     if (step.kind == Kind::Join) step.at = place_at(json, "at");
-    if (step.kind == Kind::Smooth || step.kind == Kind::Bump) {
+    if (step.kind == Kind::Meet) step.lines = {text(json, "line"), text(json, "other")};
+    if (step.kind == Kind::Meet || step.kind == Kind::Smooth || step.kind == Kind::Bump) {
         step.at = place_at(json, "at");
         step.to = place_at(json, "to");
     }
@@ -254,7 +256,9 @@ void since_version_3(const DesignStep& step, Json& json) {
     if (step.kind == Kind::Region && !step.region.empty()) json["replaces"] = step.region;
     if (along_line(step.kind)) json["line"] = step.lines.empty() ? std::string() : step.lines.front();
     if (step.kind == Kind::Join) json["at"] = places(step.at);
-    if (step.kind == Kind::Smooth || step.kind == Kind::Bump) {
+    if (step.kind == Kind::Meet) json["line"] = step.lines.front();
+    if (step.kind == Kind::Meet) json["other"] = step.lines.back();
+    if (step.kind == Kind::Meet || step.kind == Kind::Smooth || step.kind == Kind::Bump) {
         json["at"] = places(step.at);
         json["to"] = places(step.to);
     }

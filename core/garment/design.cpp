@@ -30,6 +30,7 @@ std::string step_subject(const DesignStep& step) {
             return "region \"" + step.region + "\"";
         case Kind::Erase:
         case Kind::Join:
+        case Kind::Meet:
         case Kind::Smooth:
         case Kind::Bump:
             return step.lines.empty() ? std::string() : "line \"" + step.lines.front() + "\"";
@@ -223,6 +224,8 @@ Result<void> DesignRunner::change(Network& next, const DesignStep& step) const {
             return next.erase_line(piece);
         case Kind::Join:
             return next.join(step.at, piece);
+        case Kind::Meet:
+            return next.meet(piece, step.at, step.lines.back(), step.to);
         case Kind::Smooth:
             return next.smooth(piece, step.at, step.to);
         case Kind::Bump:

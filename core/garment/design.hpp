@@ -52,6 +52,7 @@ struct DesignStep {
         Associate,
         Erase,     ///< a line goes, with the regions it bounds; their other lines stay
         Join,      ///< the loose end at `at` comes to a line that passes it
+        Meet,      ///< two lines, or one with itself, get a vertex where they cross, near `at` and `to`
         Smooth,    ///< a stretch of a line loses its small waves
         Bump,      ///< a stretch of a line gets waves: folds
         Rename,    ///< a region, or where `region` is empty a layer
@@ -68,7 +69,7 @@ struct DesignStep {
     std::string name;    ///< of the line or the region made; of the new half of a cut or hole; Rename, Unplace
     std::string region;  ///< that is cut, removed, changed; Region: that it takes the place of, or empty
     /// Of a region: names of lines, all pieces of each; "hem/2" is the second piece of its name on the layer. Erase,
-    /// Smooth, Bump: one.
+    /// Smooth, Bump, Join: one; Meet: two.
     std::vector<std::string> lines;
     SketchStroke stroke;               ///< of a line, cut or hole
     double alpha = kCoonsAlpha;        ///< Region, Alpha

@@ -590,11 +590,32 @@ Result<void> Network::join(Vec3 end, const std::string& piece) {
     if (own.from == goes || own.to == goes) return bad("The line " + quoted(piece) + " cannot be joined to itself.");
     const Vec3 place = vertices_[static_cast<std::size_t>(goes)].place;
     const NearestOnLine near = nearest_on_line(own.shape, place);
+    return weld_vertices(vertex_along(line, near.along), goes);
+}
+
+/// The end of a line that is near to a place along it, or a new vertex there.
+int Network::vertex_along(int line, double along) {
+    const NetworkLine& own = lines_[static_cast<std::size_t>(line)];
     const double total = line_length(own.shape), margin = std::min(options_.snap_cm, 0.4 * total);
-    const int stays = near.along < margin           ? own.from
-                      : near.along > total - margin ? own.to
-                                                    : split_at(line, near.along);
-    return weld_vertices(stays, goes);
+    return along < margin ? own.from : along > total - margin ? own.to : split_at(line, along);
+}
+
+Result<void> Network::meet(const std::string& one, Vec3 at, const std::string& other, Vec3 to) {
+    const int a = line_named(one), b = line_named(other);
+    if (a < 0 || b < 0 || !is_usable(at) || !is_usable(to))
+        return bad("There are no two lines " + quoted(one) + " and " + quoted(other) + " that cross.");
+    const auto along = [&](int line, Vec3 place) {
+        return nearest_on_line(lines_[static_cast<std::size_t>(line)].shape, place).along;
+    };
+    if (a != b) return weld_vertices(vertex_along(a, along(a, at)), vertex_along(b, along(b, to)));
+    // a line that crosses itself: the loop between the two places gets a vertex of its own
+    const double here = along(a, at), there = along(a, to);
+    const double first = std::min(here, there), last = std::max(here, there);
+    if (last - first < 2.0 * options_.edge_cm)
+        return bad("The line " + quoted(one) + " crosses itself in too small a loop.");
+    const int end = vertex_along(a, last);
+    (void)split_at(a, 0.5 * (first + last));
+    return weld_vertices(vertex_along(a, first), end);
 }
 
 namespace {

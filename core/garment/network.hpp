@@ -129,6 +129,9 @@ class Network {
     /// Brings the vertex nearest to `end` to a piece of a line, at its nearest place, which is split there.
     [[nodiscard]] Result<void> join(Vec3 end, const std::string& piece);
 
+    /// Splits two pieces of lines where they cross, near these places, and joins them there; a piece may cross itself.
+    [[nodiscard]] Result<void> meet(const std::string& one, Vec3 at, const std::string& other, Vec3 to);
+
     /// Takes the waves shorter than about 10 cm out of a piece of a line between the places nearest to `at` and `to`.
     [[nodiscard]] Result<void> smooth(const std::string& piece, Vec3 at, Vec3 to);
 
@@ -182,6 +185,7 @@ class Network {
     [[nodiscard]] NetworkRegion* region_named(const std::string& name);
     [[nodiscard]] Result<void> part_ring(int region, const std::vector<int>& lines, int from, int to,
                                          const std::string& new_name);
+    [[nodiscard]] int vertex_along(int line, double along);
     [[nodiscard]] Result<void> weld_vertices(int stays, int goes);
     void drop_unused_vertices();
 

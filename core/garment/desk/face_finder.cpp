@@ -330,6 +330,8 @@ std::vector<OpenEnd> open_ends(const Network& network, int layer) {
         if (!line.alive || line.layer != layer) continue;
         for (const int v : {line.from, line.to}) {
             if (degree[static_cast<std::size_t>(v)] != 1) continue;
+            const auto root = static_cast<std::size_t>(v == line.from ? line.to : line.from);
+            if (degree[root] > 2 && line_length(line.shape) < 2.0 * network.options().snap_cm) continue;
             const NetworkVertex& vertex = network.vertices()[static_cast<std::size_t>(v)];
             OpenEnd end{vertex.place, network.piece_name(static_cast<int>(i)), 0.0, {}, {}};
             double least = std::numeric_limits<double>::max();

@@ -38,7 +38,7 @@ struct OpenFace {
 /// In the order of their first lines. Outlines of regions that were taken away, and holes, are none.
 [[nodiscard]] std::vector<OpenFace> open_faces(const Network& network, int layer, const Obstacle& body);
 
-/// An end of a line that meets no other.
+/// An end of a line that meets no other. Lines drawn a little past another (up to twice snap_cm) are no fault.
 struct OpenEnd {
     Vec3 place;
     std::string line;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/garment/desk/desk_notes.hpp"
+#include "core/garment/desk/network_paths.hpp"
 #include "core/garment/desk/pick.hpp"
 #include "core/garment/desk/region_names.hpp"
 
@@ -81,6 +82,7 @@ DeskReply GarmentDesk::act(const std::vector<DesignStep>& steps, bool closes) {
         saved.push_back(std::move(*done));
     }
     if (closes) join_ends(next, saved);
+    if (closes) meet_lines(next, saved);
     if (closes && settings_.closes_regions) close_regions(next, saved, reply);
     for (std::size_t k = 0; k < saved.size(); ++k) saved[k].with_last = k > 0;
     journal_.push_back({JournalEvent::Kind::Steps, saved, 0});
@@ -101,6 +103,23 @@ void GarmentDesk::join_ends(DesignRunner& next, std::vector<DesignStep>& saved) 
             saved.push_back(std::move(*done));
             return join_ends(next, saved);  // the other ends again: lines were split
         }
+    }
+}
+
+/// New lines get vertices where they cross others, or themselves.
+void GarmentDesk::meet_lines(DesignRunner& next, std::vector<DesignStep>& saved) const {
+    constexpr int kMost = 32;  // crossings of one stroke
+    const std::string name = saved.front().kind == Kind::Line ? saved.front().name : std::string();
+    for (int k = 0; k < kMost && !name.empty(); ++k) {
+        const std::optional<LineCrossing> found = first_crossing(next.network(), next.layer(), name, next.obstacle());
+        if (!found) return;
+        DesignStep step = step_of(Kind::Meet);
+        step.lines = {next.network().piece_name(found->line), next.network().piece_name(found->other)};
+        step.at = found->at;
+        step.to = found->to;
+        Result<DesignStep> done = next.take(step);
+        if (!done) return;
+        saved.push_back(std::move(*done));
     }
 }
 

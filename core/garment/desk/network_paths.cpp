@@ -1,6 +1,7 @@
 #include "core/garment/desk/network_paths.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -64,6 +65,69 @@ std::optional<std::vector<LineUse>> ring_with_line(const Network& network, int l
     if (back.empty()) return std::nullopt;
     ring.insert(ring.end(), back.begin(), back.end());
     return ring;
+}
+
+namespace {
+
+constexpr double kApart_cm = 1.5;
+
+/// Where the segments p q and r s cross when seen along `out`: how far along each.
+std::optional<std::pair<double, double>> crossing_of(Vec3 p, Vec3 q, Vec3 r, Vec3 s, Vec3 out) {
+    const Vec3 a = q - p, b = s - r, from = r - p;
+    const double det = dot(out, cross(a, b));
+    if (std::abs(det) < 1e-9) return std::nullopt;
+    const double t = dot(out, cross(from, b)) / det, u = dot(out, cross(from, a)) / det;
+    if (t < 0.0 || t > 1.0 || u < 0.0 || u > 1.0) return std::nullopt;
+    if (std::abs(dot(out, p + a * t - r - b * u)) > kApart_cm) return std::nullopt;
+    return std::pair{t, u};
+}
+
+/// Whether a place lies near a vertex that both lines have: there they meet already.
+bool meet_there(const Network& network, int line, int other, Vec3 place) {
+    const NetworkLine &a = network.lines()[static_cast<std::size_t>(line)],
+                      &b = network.lines()[static_cast<std::size_t>(other)];
+    for (const int v : {a.from, a.to})
+        if ((v == b.from || v == b.to) &&
+            length(network.vertices()[static_cast<std::size_t>(v)].place - place) < network.options().snap_cm)
+            return true;
+    return false;
+}
+
+std::optional<LineCrossing> crossing_with(const Network& network, int line, int other, const Obstacle& body) {
+    const SpaceLine &own = network.lines()[static_cast<std::size_t>(line)].shape,
+                    &shape = network.lines()[static_cast<std::size_t>(other)].shape;
+    constexpr std::size_t kApart = 8;  // segments of one line that cannot cross
+    for (std::size_t i = 0; i + 1 < own.size(); ++i) {
+        std::optional<Vec3> out;
+        const double reach = 2.0 * kApart_cm + length(own[i + 1] - own[i]);
+        for (std::size_t k = line == other ? i + kApart : 0; k + 1 < shape.size(); ++k) {
+            if (length(shape[k] - own[i]) > reach + length(shape[k + 1] - shape[k])) continue;
+            if (!out) out = normalised(body.sample(own[i]).gradient);
+            const auto met = crossing_of(own[i], own[i + 1], shape[k], shape[k + 1], *out);
+            if (!met) continue;
+            const Vec3 at = own[i] + (own[i + 1] - own[i]) * met->first,
+                       to = shape[k] + (shape[k + 1] - shape[k]) * met->second;
+            if (!meet_there(network, line, other, at)) return LineCrossing{line, other, at, to};
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<LineCrossing> first_crossing(const Network& network, int layer, const std::string& name,
+                                           const Obstacle& body) {
+    const auto count = static_cast<int>(network.lines().size());
+    for (int i = 0; i < count; ++i) {
+        const NetworkLine& line = network.lines()[static_cast<std::size_t>(i)];
+        if (!line.alive || line.layer != layer || line.name != name) continue;
+        for (int k = 0; k < count; ++k) {
+            const NetworkLine& other = network.lines()[static_cast<std::size_t>(k)];
+            if (!other.alive || other.layer != layer) continue;
+            if (std::optional<LineCrossing> found = crossing_with(network, i, k, body); found) return found;
+        }
+    }
+    return std::nullopt;
 }
 
 SpaceLine stretch_between(const SpaceLine& line, Vec3 from, Vec3 to) {

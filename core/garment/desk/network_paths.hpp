@@ -14,6 +14,17 @@ namespace core {
 [[nodiscard]] std::optional<std::vector<LineUse>> ring_with_line(const Network& network, int layer,
                                                                  const std::string& name);
 
+/// Where two lines cross as they are seen along the way out of the body, within 1.5 cm of each other along it, and not
+/// where both end.
+struct LineCrossing {
+    int line = 0, other = 0;  ///< may be the same
+    Vec3 at, to;              ///< on the one and on the other
+};
+/// The first crossing of any piece of this name with any line of its layer; nothing for none. Quadratic in the points
+/// of the piece and of what lies near it.
+[[nodiscard]] std::optional<LineCrossing> first_crossing(const Network& network, int layer, const std::string& name,
+                                                         const Obstacle& body);
+
 /// The stretch of a line between the places nearest to two others, in its direction.
 [[nodiscard]] SpaceLine stretch_between(const SpaceLine& line, Vec3 from, Vec3 to);
 

@@ -456,3 +456,66 @@ TEST_CASE("live cloth is what a new build fills", "[garment_desk]") {
         CHECK(core::length(dragged[v] - fit - moved.drawn.mesh.vertices[v]) < 1e-6);
     }
 }
+
+TEST_CASE("strokes seen in perspective are read back as they were drawn", "[garment_desk]") {
+    GarmentDesk desk = empty_desk();
+    DeskHand hand(desk);
+    core::DrawingView view = *core::perspective_view({37.3, 51.7, 120.1}, {0.3, 30.7, 0.1});
+    desk.settings().tool = DeskTool::DrawOnBody;
+    desk.settings().offset_cm = 0.7;
+    desk.begin(view, {-2.3, 3.1});
+    hand.follow(view, {{-2.3, 3.1}, {1.7, 6.3}, {4.1, -5.2}});
+    REQUIRE(desk.end().changed);
+    // and in a parallel view from any side, moved aside
+    core::DrawingView turned = view;
+    turned.eye_distance = 0.0;
+    turned.centre = {1, 28, 2};
+    desk.begin(turned, {-2, 3});
+    hand.follow(turned, {{-2, 3}, {3, 9}});
+    REQUIRE(desk.end().changed);
+    const auto read = core::parse_design(core::design_text(desk.design()));
+    REQUIRE(read);
+    const auto again = GarmentDesk::open(*read, post_form());
+    REQUIRE(again);
+    REQUIRE(again->network().lines().size() == desk.network().lines().size());
+    for (std::size_t i = 0; i < desk.network().lines().size(); ++i)
+        CHECK(again->network().lines()[i].shape == desk.network().lines()[i].shape);
+    CHECK(core::design_text(again->design()) == core::design_text(desk.design()));
+}
+
+TEST_CASE("lines drawn past each other meet where they cross, also a line with itself", "[garment_desk]") {
+    GarmentDesk desk = empty_desk();
+    DeskHand hand(desk);
+    // like a hash sign: no end is near another line
+    REQUIRE(hand.on_body("front", 1.0, {{2, 20}, {2, 45}}).changed);
+    REQUIRE(hand.on_body("front", 1.0, {{9, 20}, {9, 45}}).changed);
+    REQUIRE(hand.on_body("front", 1.0, {{-0.5, 25}, {10.5, 25}}).changed);
+    CHECK(regions_of(desk).empty());
+    REQUIRE(hand.on_body("front", 1.0, {{0.5, 40}, {10.5, 40}}).changed);
+    CHECK(regions_of(desk) == std::set<std::string>{"front"});
+    CHECK(desk.open_places().size() == 4);  // at the lower line, 5 cm past the crossings
+    CHECK(desk.network().inconsistency().empty());
+    desk.build_now();
+    CHECK(desk.cloth_faults().empty());
+    while (desk.can_undo()) desk.undo();
+    REQUIRE(hand.on_body("front", 1.0, {{2, 40}, {9, 30}, {9, 40}, {2, 30}, {2, 40}}).changed);
+    CHECK(desk.network().inconsistency().empty());
+    CHECK(regions_of(desk).size() == 2);
+}
+
+TEST_CASE("an outline that cannot be filled stays, and says where", "[garment_desk]") {
+    GarmentDesk desk = empty_desk();
+    DeskHand hand(desk);
+    skirt(desk);
+    const std::size_t acts = desk.history().size();
+    // the hem's end is pulled across the waist
+    desk.settings().move_radius_cm = 1.0;
+    REQUIRE(hand.draw(DeskTool::Move, "front", {{17, 15}, {10, 58}}).changed);
+    desk.build_now();
+    CHECK(desk.history().size() == acts + 1);
+    CHECK(regions_of(desk).size() == 2);
+    for (const core::DeskNote& fault : desk.cloth_faults()) {
+        CHECK_FALSE(fault.sentence.empty());
+        CHECK(fault.place != core::Vec3{});
+    }
+}

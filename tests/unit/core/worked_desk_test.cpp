@@ -105,3 +105,89 @@ TEST_CASE("worked designs drawn by the pen are the engine's", "[worked_desk]") {
         }
     }
 }
+
+namespace {
+
+core::GarmentDesk desk_on_woman() {
+    core::Design design;
+    design.name = "measured";
+    design.body = woman().measures;
+    auto desk = core::GarmentDesk::open(design, form());
+    REQUIRE(desk);
+    return std::move(*desk);
+}
+
+}  // namespace
+
+TEST_CASE("the tape finds the body's measures and the length of lines", "[worked_desk]") {
+    core::GarmentDesk desk = desk_on_woman();
+    support::DeskHand hand(desk);
+    const core::BodyFrame frame = core::body_frame(woman().measures);
+    const auto girth = [&](const char* view, core::Point at) {
+        const core::DeskReply reply = hand.tap(DeskTool::Tape, view, at);
+        REQUIRE(reply.tape);
+        CHECK(reply.tape->girth);
+        CHECK_FALSE(reply.changed);
+        return reply.tape->cm;
+    };
+    CHECK(girth("front", {2, frame.waist}) == Approx(woman().measures[core::Measure::Waist]).margin(0.5));
+    CHECK(girth("back", {5, frame.hip}) == Approx(woman().measures[core::Measure::Hip]).margin(0.5));
+    const core::Vec3 wrist = frame.arm_root + frame.arm_direction * frame.wrist;
+    CHECK(girth("front", {wrist.x, wrist.y}) == Approx(woman().measures[core::Measure::Wrist]).margin(0.7));
+    CHECK(girth("back", {wrist.x, wrist.y}) == Approx(woman().measures[core::Measure::Wrist]).margin(0.7));
+    // a stroke right across the waist is the section there; one on the body a length
+    const core::DeskReply across = hand.draw(DeskTool::Tape, "front", {{-25, frame.waist}, {25, frame.waist}});
+    REQUIRE(across.tape);
+    CHECK(across.tape->cm == Approx(woman().measures[core::Measure::Waist]).margin(0.5));
+    const core::DeskReply along = hand.draw(DeskTool::Tape, "front", {{0, frame.waist}, {0, frame.waist + 10}});
+    REQUIRE(along.tape);
+    CHECK_FALSE(along.tape->girth);
+    CHECK(along.tape->cm > 9.9);
+    CHECK(along.tape->cm < 13.0);
+    CHECK_FALSE(hand.tap(DeskTool::Tape, "front", {90, 20}).tape);
+    CHECK(desk.design().steps.empty());
+}
+
+TEST_CASE("a drawn garment is carried to another body, and drawn on there", "[worked_desk]") {
+    core::GarmentDesk desk = drawn_at_desk(*core::wardrobe_design("skirt_flat", woman()));
+    desk.settings().to_landmarks = false;
+    core::BodyMeasures larger = woman().measures;
+    larger[core::Measure::Waist] += 8;
+    larger[core::Measure::Hip] += 8;
+    const core::Vec3 before = desk.network().lines()[1].shape.back();
+    const core::BuildResult tried = core::build(desk.try_body(larger), {});
+    CHECK(tried.trial);
+    CHECK(tried.form->measures->cm == larger.cm);
+    CHECK(desk.accept(tried));
+    CHECK_FALSE(desk.cloth_is_current());
+    REQUIRE(desk.set_body(larger).changed);
+    CHECK(desk.network().lines()[1].shape.back().x != before.x);
+    desk.build_now();
+    CHECK(desk.cloth_faults().empty());
+    CHECK(desk.cloth()[0].cloth->report.deepest_after_cm == 0.0);
+    CHECK(desk.form()->measures->cm == larger.cm);
+    support::DeskHand hand(desk);
+    const double y = core::body_frame(larger).hip;
+    REQUIRE(hand.draw(DeskTool::Cut, "front", {{0, y}, {10, y}, {22, y}}).changed);
+    const std::string text = core::design_text(desk.design());
+    const auto read = core::parse_design(text);
+    REQUIRE(read);
+    CHECK(core::design_text(*read) == text);
+    // on that body the file makes the same garment
+    const auto garment = core::make_garment(*read, core::dress_form(*core::make_mannequin(larger)));
+    REQUIRE(garment);
+    CHECK(garment->faults.empty());
+    CHECK_FALSE(garment->carried);
+    desk.build_now();
+    CHECK(garment->layers[0].fitted.mesh.vertices == desk.cloth()[0].cloth->fitted.mesh.vertices);
+    core::BodyMeasures none = larger;
+    none[core::Measure::Waist] = 500;
+    const core::DeskReply refused = desk.set_body(none);
+    CHECK_FALSE(refused.changed);
+    REQUIRE(refused.notes.size() == 1);
+    CHECK(refused.notes[0].key == "body_unfit");
+    CHECK_FALSE(desk.set_own_body("nobody.obj").changed);
+    REQUIRE(desk.undo().changed);
+    REQUIRE(desk.undo().changed);
+    CHECK(desk.network().lines()[1].shape.back() == before);
+}
