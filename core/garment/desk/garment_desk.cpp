@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/garment/desk/desk_notes.hpp"
+#include "core/garment/desk/middle_line.hpp"
 #include "core/garment/desk/network_paths.hpp"
 #include "core/garment/desk/pick.hpp"
 #include "core/garment/desk/region_names.hpp"
@@ -81,8 +82,12 @@ DeskReply GarmentDesk::act(const std::vector<DesignStep>& steps, bool closes) {
         }
         saved.push_back(std::move(*done));
     }
-    if (closes) join_ends(next, saved);
-    if (closes) meet_lines(next, saved);
+    if (closes) {
+        give_way(next, saved);
+        join_ends(next, saved);
+        meet_lines(next, saved);
+    }
+    if (closes && settings_.closes_regions && settings_.closes_middle && next.look().mirror) close_middle(next, saved);
     if (closes && settings_.closes_regions) close_regions(next, saved, reply);
     for (std::size_t k = 0; k < saved.size(); ++k) saved[k].with_last = k > 0;
     journal_.push_back({JournalEvent::Kind::Steps, saved, 0});
@@ -120,6 +125,64 @@ void GarmentDesk::meet_lines(DesignRunner& next, std::vector<DesignStep>& saved)
         Result<DesignStep> done = next.take(step);
         if (!done) return;
         saved.push_back(std::move(*done));
+    }
+}
+
+/// Lines in the middle that came by themselves give way to one that the designer draws there along them.
+void GarmentDesk::give_way(DesignRunner& next, std::vector<DesignStep>& saved) const {
+    if (saved.front().kind != Kind::Line) return;
+    for (bool changed = true; changed;) {  // pieces of one name change their numbers as one goes
+        changed = false;
+        for (std::size_t i = 0; i < next.network().lines().size() && !changed; ++i) {
+            const NetworkLine& line = next.network().lines()[i];
+            if (!line.alive || line.layer != next.layer() || line.name.rfind(kMiddleLine, 0) != 0) continue;
+            if (!runs_along(next.network(), next.layer(), saved.front().name, line.shape, next.obstacle())) continue;
+            DesignStep step = step_of(Kind::Erase);
+            step.lines = {next.network().piece_name(static_cast<int>(i))};
+            Result<DesignStep> done = next.take(step);
+            if (!done) continue;
+            saved.push_back(std::move(*done));
+            changed = true;
+        }
+    }
+}
+
+/// Where outlines are open in the middle alone: from an end there to another place of the middle, on one side of the
+/// body, if a line between the two closes one.
+void GarmentDesk::close_middle(DesignRunner& next, std::vector<DesignStep>& saved) const {
+    std::vector<Vec3> ends, all;
+    for (const OpenEnd& end : open_ends(next.network(), next.layer())) {
+        if (end.place.x != 0.0) return;  // still being drawn
+        ends.push_back(end.place);
+    }
+    for (const NetworkVertex& vertex : next.network().vertices())
+        if (vertex.alive && vertex.layer == next.layer() && vertex.place.x == 0.0) all.push_back(vertex.place);
+    struct Pair {
+        double gap;
+        Vec3 from, to;
+    };
+    std::vector<Pair> pairs;
+    for (const Vec3& from : ends)
+        for (const Vec3& to : all)
+            if (from != to && is_one_side(next.obstacle(), from, to)) pairs.push_back({length(from - to), from, to});
+    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) { return x.gap < y.gap; });
+    for (const Pair& pair : pairs) {
+        DesignStep step;
+        step.name = free_line_name(next.network(), kMiddleLine);
+        step.stroke = middle_stroke(next.obstacle(), pair.from, pair.to);
+        DesignRunner tried = next;
+        Result<DesignStep> done = tried.take(step);
+        if (!done) continue;
+        const std::vector<OpenFace> faces = open_faces(tried.network(), tried.layer(), tried.obstacle());
+        const bool closes = std::any_of(faces.begin(), faces.end(), [&](const OpenFace& face) {
+            return std::any_of(face.ring.begin(), face.ring.end(), [&](LineUse use) {
+                return tried.network().lines()[static_cast<std::size_t>(use.line)].name == step.name;
+            });
+        });
+        if (!closes) continue;
+        saved.push_back(std::move(*done));
+        next = std::move(tried);
+        return close_middle(next, saved);
     }
 }
 

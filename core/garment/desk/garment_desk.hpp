@@ -172,6 +172,8 @@ class GarmentDesk {
     DeskReply act(const std::vector<DesignStep>& steps, bool closes = false);
     void join_ends(DesignRunner& next, std::vector<DesignStep>& saved) const;
     void meet_lines(DesignRunner& next, std::vector<DesignStep>& saved) const;
+    void give_way(DesignRunner& next, std::vector<DesignStep>& saved) const;
+    void close_middle(DesignRunner& next, std::vector<DesignStep>& saved) const;
     void close_regions(DesignRunner& next, std::vector<DesignStep>& saved, DeskReply& reply) const;
     void went();  // to another state
 

@@ -7,10 +7,9 @@
 #include <set>
 
 namespace core {
-namespace {
 
-/// From one vertex to another along lines that are not `without`; empty when there is no way (Dijkstra 1959).
-std::vector<LineUse> shortest_way(const Network& network, int layer, int from, int to, const std::set<int>& without) {
+std::vector<LineUse> way_along(const Network& network, int layer, int from, int to,
+                               const std::function<bool(const NetworkLine&)>& may_take) {  // Dijkstra 1959
     std::map<int, double> reached{{from, 0.0}};
     std::map<int, LineUse> by;
     std::set<std::pair<double, int>> open{{0.0, from}};
@@ -21,7 +20,7 @@ std::vector<LineUse> shortest_way(const Network& network, int layer, int from, i
         for (std::size_t i = 0; i < network.lines().size(); ++i) {
             const NetworkLine& line = network.lines()[i];
             const auto number = static_cast<int>(i);
-            if (!line.alive || line.layer != layer || without.count(number) != 0) continue;
+            if (!line.alive || line.layer != layer || !may_take(line)) continue;
             if (line.from != at && line.to != at) continue;
             const bool reversed = line.from != at;
             const int next = reversed ? line.from : line.to;
@@ -46,22 +45,19 @@ std::vector<LineUse> shortest_way(const Network& network, int layer, int from, i
     return way;
 }
 
-}  // namespace
-
 std::optional<std::vector<LineUse>> ring_with_line(const Network& network, int layer, const std::string& name) {
     std::vector<LineUse> ring;
-    std::set<int> own;
     int from = -1, to = -1;
     for (std::size_t i = 0; i < network.lines().size(); ++i) {
         const NetworkLine& line = network.lines()[i];
         if (!line.alive || line.layer != layer || line.name != name) continue;
         if (from < 0) from = line.from;
         to = line.to;
-        own.insert(static_cast<int>(i));
         ring.push_back({static_cast<int>(i), false});
     }
     if (from < 0 || from == to) return std::nullopt;
-    const std::vector<LineUse> back = shortest_way(network, layer, to, from, own);
+    const std::vector<LineUse> back =
+        way_along(network, layer, to, from, [&](const NetworkLine& line) { return line.name != name; });
     if (back.empty()) return std::nullopt;
     ring.insert(ring.end(), back.begin(), back.end());
     return ring;

@@ -1,13 +1,19 @@
 #pragma once
 // Ways along the lines of a network.
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/garment/desk/desk_tool.hpp"
 
 namespace core {
+
+/// The shortest way from one vertex to another along lines that may be taken; empty when there is none.
+[[nodiscard]] std::vector<LineUse> way_along(const Network& network, int layer, int from, int to,
+                                             const std::function<bool(const NetworkLine&)>& may_take);
 
 /// The shortest ring through all pieces of a line and, between its two ends, other lines of its layer. Nothing for a
 /// line that is closed or whose ends no other lines join.

@@ -28,9 +28,9 @@ std::string free_region_name(const Network& network, const std::string& base) {
     return name;
 }
 
-std::string free_line_name(const Network& network) {
+std::string free_line_name(const Network& network, const std::string& base) {
     for (std::size_t k = network.lines().size() + 1;; ++k) {
-        std::string name = "line " + std::to_string(k);
+        std::string name = base + " " + std::to_string(k);
         const bool taken = std::any_of(network.lines().begin(), network.lines().end(),
                                        [&](const NetworkLine& line) { return line.name == name; });
         if (!taken) return name;

@@ -16,6 +16,6 @@ namespace core {
 [[nodiscard]] std::string free_region_name(const Network& network, const std::string& base);
 
 /// "line 1", "line 2", … : the first after all lines that there ever were.
-[[nodiscard]] std::string free_line_name(const Network& network);
+[[nodiscard]] std::string free_line_name(const Network& network, const std::string& base = "line");
 
 }  // namespace core
