@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "firmware_like_app/kiosk/drawing_recorder.hpp"
@@ -215,7 +216,8 @@ void GarmentMode::choose_piece() {
 /// Between two ends on the middle plane: straight, and outside of the body where that bulges.
 void GarmentMode::close_middle(const core::DeskNote& from, std::int64_t now_us) {
     const core::DeskNote* to = nullptr;
-    for (const core::DeskNote& other : drawing_.open_middles) {
+    const std::vector<core::DeskNote> middles = open_middles(*desk_);
+    for (const core::DeskNote& other : middles) {
         const double apart = core::length(other.place - from.place);
         const bool same_side = other.place.z * from.place.z >= 0;
         if (apart < 1 || !same_side) continue;
@@ -420,8 +422,10 @@ void GarmentMode::hold_slider(const ui::Intent& intent, const ui::WindowEvent& e
 bool GarmentMode::pen_turns(const ui::WindowEvent& event) {
     if (event.button) return true;
     if (views_.view() != ui::GarmentView::Solid) return false;
-    for (const core::Point& p : drawing_.handles_px) {
-        if (core::distance(p, {event.x, event.y}) < layout_.px(kGrasp_px)) return false;
+    for (const core::NetworkVertex& vertex : desk_->network().vertices()) {
+        if (!vertex.alive || vertex.layer != desk_->layer()) continue;
+        const core::Point px = views_.camera().to_px(vertex.place);
+        if (core::distance(px, {event.x, event.y}) < layout_.px(kGrasp_px)) return false;
     }
     return !views_.near_figure({event.x, event.y}, layout_.px(kBeside_px));
 }
@@ -499,7 +503,7 @@ void GarmentMode::slide(double x) {
         live_due_ = true;
     } else if (hold_ == Hold::Measure) {
         body_.slide(slider_, ui::slider_share(layout_.drawer_sliders[slider_], x, layout_.scale));
-        try_body();
+        body_due_ = true;
     }
 }
 
@@ -528,10 +532,10 @@ void GarmentMode::end_stroke(const ui::WindowEvent& event) {
     const bool line = core::draws_line(desk_->settings().tool) && desk_->settings().tool != core::DeskTool::Add;
     if (!moved_ && line) {  // a tap with a drawing tool picks
         desk_->cancel();
-        for (const core::DeskNote& middle : drawing_.open_middles) {
+        for (const core::DeskNote& middle : open_middles(*desk_)) {
             const core::Point at = views_.camera().to_px(middle.place);
             if (core::distance(at, {event.x, event.y}) < layout_.px(kGrasp_px)) {
-                close_middle(core::DeskNote(middle), event.time_us);
+                close_middle(middle, event.time_us);
                 return;
             }
         }
@@ -599,6 +603,7 @@ void GarmentMode::update(std::int64_t now_us) {
         cleared_ = false;
         put_away_.reset();
     }
+    if (std::exchange(body_due_, false)) try_body();
     request_cloth();
     take_cloth();
     follow_live();

@@ -180,7 +180,7 @@ class GarmentMode final : public Mode {
     bool recording_failed_ = false;
 
     SheetDrawing drawing_;
-    bool drawing_due_ = true, live_due_ = false;
+    bool drawing_due_ = true, live_due_ = false, body_due_ = false;
     std::uint64_t projected_geometry_ = 0;
     struct Wash {
         ui::Texture coverage;

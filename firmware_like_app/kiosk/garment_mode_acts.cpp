@@ -239,6 +239,7 @@ void GarmentMode::try_body() {
 }
 
 void GarmentMode::keep_body(std::int64_t now_us) {
+    body_due_ = false;
     if (const core::Result<void> fits = core::check_measures(body_.measures()); !fits) {
         body_problem_ = words()["body_unfit"];
         body_.set(desk_->state().worn()->form.measures.value_or(body_.measures()));

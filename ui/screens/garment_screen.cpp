@@ -255,19 +255,22 @@ class Drawer {
         draw_fitted(list_, fonts_, words_["offset_from_body"], type_.caption, palette::kMuted, r.x,
                     l_.offset_label_baseline, r.width, Align::Left);
         list_.box(r, r.height / 2, palette::kWell);
-        const double inset = std::round(r.height / 18), d = r.height - 2 * inset;
+        // small screens: knobs are drawn smaller than what they take, so that the number has room
+        const double d = l_.compact ? l_.px(44) : r.height - 2 * std::round(r.height / 18);
+        const double inset = l_.compact ? l_.px(6) : std::round(r.height / 18);
         const auto knob = [&](double x, Icon icon, GarmentAction action, bool on) {
-            Rect k{x, r.y + inset, d, d};
+            Rect k{x, r.centre_y() - d / 2, d, d};
             if (down(action)) k = scaled(k, 0.94);
             list_.box(k, d / 2, down(action) ? palette::kLine : palette::kSheet);
-            const double size = l_.px(28);
+            const double size = l_.px(l_.compact ? 24 : 28);
             list_.icon(icon, k.centre_x(), k.centre_y(), size, size / 32 * 3,
                        palette::kInk.faded(on ? 1.0F : palette::kOffShare));
         };
         knob(r.x + inset, Icon::Minus, GarmentAction::Less, state_.offset_cm > 0);
         knob(r.right() - inset - d, Icon::Plus, GarmentAction::More, state_.offset_cm < 20);
         draw_fitted(list_, fonts_, tenths_in(words_, state_.offset_cm) + " cm", type_.number, palette::kInk,
-                    r.centre_x(), r.centre_y() + cap_drop(type_.number), r.width - 2 * d - 4 * inset, Align::Centre);
+                    r.centre_x(), r.centre_y() + cap_drop(type_.number), r.width - 2 * d - (l_.compact ? 2 : 4) * inset,
+                    Align::Centre);
     }
 
     void pages() {
