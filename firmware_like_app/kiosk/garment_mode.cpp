@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "firmware_like_app/kiosk/drawing_recorder.hpp"
@@ -50,7 +49,8 @@ GarmentMode::GarmentMode(const ui::FontSet& fonts, const std::vector<ui::Strings
       screen_(fonts, languages),
       painter_(std::move(painter)),
       views_(std::move(views)),
-      builder_(options.every_frame_seen) {
+      builder_(options.every_frame_seen),
+      keeper_(options.designs) {
     views_.lay_out(layout_, painter_);
     views_.set_quads(quads_);
     make_fabric_tiles();
@@ -260,7 +260,7 @@ void GarmentMode::take_reply(const core::DeskReply& reply, std::int64_t now_us) 
     if (reply.changed) {
         cleared_ = false;
         choose_piece();
-        (void)desk_->take_journal();
+        keeper_.take(*desk_);
         request_cloth();
         show_cloth();
     }
@@ -350,6 +350,7 @@ void GarmentMode::pointer(const ui::WindowEvent& seen) {
     event.y = whole_64ths(seen.y);
     record(event);
     ready_desk();
+    if (gallery_open_) return gallery_pointer(event);
     if (event.kind != Kind::Zoom) pointer_px_ = core::Point{event.x, event.y};
     eraser_near_ = event.pen && event.eraser && event.kind != Kind::Leave;
     switch (event.kind) {
@@ -603,6 +604,14 @@ void GarmentMode::update(std::int64_t now_us) {
         cleared_ = false;
         put_away_.reset();
     }
+    if (gallery_open_) {
+        gallery_->update(now_us);
+        for (auto& [id, picture] : gallery_->take_pictures()) {
+            ui::Texture texture({picture.width, picture.height}, ui::PixelFormat::Colour);
+            texture.upload(0, 0, texture.size(), picture.pixels);
+            painter_.set_picture(id, &gallery_pictures_.insert_or_assign(id, std::move(texture)).first->second);
+        }
+    }
     if (std::exchange(body_due_, false)) try_body();
     request_cloth();
     take_cloth();
@@ -647,11 +656,20 @@ bool GarmentMode::changed(std::int64_t now_us) const {
 }
 
 GarmentMode::Shown GarmentMode::shown_at(std::int64_t now_us) const {
-    return {state(now_us), layout_.screen, layout_.hand};
+    Shown shown{state(now_us), std::nullopt, layout_.screen, layout_.hand};
+    if (gallery_open_) {
+        shown.gallery = gallery_->state();
+        if (touch_.pressed()) shown.gallery->pressed = touch_.pressed_item();
+    }
+    return shown;
 }
 
 void GarmentMode::draw(std::int64_t now_us, bool flip) {
     shown_ = shown_at(now_us);
+    if (shown_->gallery) {
+        painter_.paint(gallery_->page(layout_.screen, shown_->gallery->pressed).list, layout_.screen, flip);
+        return;
+    }
     painter_.paint(screen_.draw(shown_->state, layout_), layout_.screen, flip);
 }
 
@@ -664,6 +682,10 @@ bool GarmentMode::has_work() const {
 void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
     recorder_.reset();
     recording_failed_ = false;
+    keep_picture();
+    (void)keeper_.end();
+    if (gallery_open_) leave_gallery();
+    export_no_place_ = false;
     touch_.cancel();
     hold_ = Hold::None;
     pointer_px_.reset();

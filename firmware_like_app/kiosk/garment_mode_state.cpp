@@ -185,8 +185,11 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     state.figure = FigureViews::kFigure;
     state.figure_revision = views_.revision();
     state.problem = !body_problem_.empty() ? body_problem_ : problem_;
+    if (state.problem.empty()) state.problem = keeper_.problem();
     state.line_open = hold_ == Hold::Drawing;
     fill_drawer(state);
+    fill_export(state);
+    state.designs_kept = keeper_.keeps();
     if (touch_.pressed()) {
         state.pressed = touch_.pressed();
         state.pressed_item = touch_.pressed_item();

@@ -42,10 +42,8 @@ ToolFace face_of(const GarmentIntent& slot) {
             return {Icon::New, "tool_new"};
         case GarmentAction::Designs:
             return {Icon::Designs, "tool_designs"};
-        case GarmentAction::Fabrics:
-            return {Icon::Fabric, "tool_fabric"};
         default:
-            return {Icon::Hang, "tool_hang"};
+            return {Icon::Fabric, "tool_fabric"};
     }
 }
 
@@ -232,7 +230,7 @@ class Drawer {
         for (const Rect& d : l_.dividers) list_.box(d, 0, palette::kLine);
         const auto slots = tools_of_page(state_.page);
         for (std::size_t i = 0; i < kGarmentSlots; ++i) {
-            if (!slots[i]) continue;
+            if (!slots[i] || (slots[i]->action == GarmentAction::Designs && !state_.designs_kept)) continue;
             const ToolFace face = face_of(*slots[i]);
             const bool on = slots[i]->action != GarmentAction::New || !state_.empty;
             tool_button(l_.tools[i], face.icon, words_[face.key], Control::Garment,
@@ -244,7 +242,6 @@ class Drawer {
 
     [[nodiscard]] bool chosen(const GarmentIntent& slot) const {
         if (slot.action == GarmentAction::Quads) return state_.quads;
-        if (slot.action == GarmentAction::Hang) return state_.hanging;
         if (slot.action != GarmentAction::Tool) return false;
         if (slot.index == static_cast<std::size_t>(GarmentTool::Mirror)) return state_.mirror;
         return slot.index == static_cast<std::size_t>(state_.tool);
@@ -386,8 +383,8 @@ std::array<std::optional<GarmentIntent>, kGarmentSlots> tools_of_page(std::size_
             GarmentIntent{A::Designs},
             GarmentIntent{A::Fabrics},
             GarmentIntent{A::Quads},
-            GarmentIntent{A::Hang},
             tool(T::Measure),
+            std::nullopt,
             std::nullopt,
             std::nullopt};
 }
@@ -426,6 +423,7 @@ std::vector<BoardTouch::Target> GarmentScreen::targets(const GarmentState& state
     const auto slots = tools_of_page(state.page);
     for (std::size_t i = 0; i < kGarmentSlots; ++i) {
         if (!slots[i] || (slots[i]->action == A::New && state.empty)) continue;
+        if (slots[i]->action == A::Designs && !state.designs_kept) continue;
         add(slots[i]->action, slots[i]->index, layout.tools[i]);
     }
     if (state.can_undo) all.push_back({Control::Undo, 0, layout.undo});
