@@ -226,6 +226,23 @@ void FigureViews::draw_tile(std::size_t tile) {
     ++revision_;
 }
 
+core::RgbaImage FigureViews::thumbnail() {
+    ui::Target target = ui::FigureStage::make_target({240, 320});
+    stage_.draw(ui::framed(view_of(ui::GarmentView::Front), {6, 10, 228, 302}, height_cm_ + kHeadRoom_cm), look(false),
+                target);
+    core::RgbaImage image = target.read_back();
+    const std::array<float, 3> paper{ui::palette::kSheet.r, ui::palette::kSheet.g, ui::palette::kSheet.b};
+    for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {  // premultiplied, over paper
+        const float rest = 1.0F - static_cast<float>(image.pixels[i + 3]) / 255.0F;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float v = static_cast<float>(image.pixels[i + c]) + rest * paper[c] * 255.0F;
+            image.pixels[i + c] = static_cast<std::uint8_t>(std::lround(std::min(v, 255.0F)));
+        }
+        image.pixels[i + 3] = 255;
+    }
+    return image;
+}
+
 bool FigureViews::due() const {
     return large_due_ || std::find(tile_due_.begin(), tile_due_.end(), true) != tile_due_.end();
 }

@@ -74,6 +74,8 @@ class FigureViews {
     /// Grows when camera or surfaces change: what is projected or hidden may differ.
     [[nodiscard]] std::uint64_t geometry() const { return geometry_; }
     [[nodiscard]] const ui::Texture& fabric_tile(const ui::FabricLook& look) { return stage_.tile(look); }
+    /// From the front, 3 wide to 4 high, on paper: for a card.
+    [[nodiscard]] core::RgbaImage thumbnail();
     [[nodiscard]] double height_cm() const { return height_cm_; }
 
     static constexpr ui::PictureId kFigure{1};

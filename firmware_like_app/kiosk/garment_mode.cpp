@@ -49,7 +49,8 @@ GarmentMode::GarmentMode(const ui::FontSet& fonts, const std::vector<ui::Strings
       screen_(fonts, languages),
       painter_(std::move(painter)),
       views_(std::move(views)),
-      builder_(options.every_frame_seen) {
+      builder_(options.every_frame_seen),
+      keeper_(options.designs) {
     views_.lay_out(layout_, painter_);
     views_.set_quads(quads_);
     make_fabric_tiles();
@@ -215,7 +216,8 @@ void GarmentMode::choose_piece() {
 /// Between two ends on the middle plane: straight, and outside of the body where that bulges.
 void GarmentMode::close_middle(const core::DeskNote& from, std::int64_t now_us) {
     const core::DeskNote* to = nullptr;
-    for (const core::DeskNote& other : drawing_.open_middles) {
+    const std::vector<core::DeskNote> middles = open_middles(*desk_);
+    for (const core::DeskNote& other : middles) {
         const double apart = core::length(other.place - from.place);
         const bool same_side = other.place.z * from.place.z >= 0;
         if (apart < 1 || !same_side) continue;
@@ -258,7 +260,7 @@ void GarmentMode::take_reply(const core::DeskReply& reply, std::int64_t now_us) 
     if (reply.changed) {
         cleared_ = false;
         choose_piece();
-        (void)desk_->take_journal();
+        keeper_.take(*desk_);
         request_cloth();
         show_cloth();
     }
@@ -348,6 +350,7 @@ void GarmentMode::pointer(const ui::WindowEvent& seen) {
     event.y = whole_64ths(seen.y);
     record(event);
     ready_desk();
+    if (gallery_open_) return gallery_pointer(event);
     if (event.kind != Kind::Zoom) pointer_px_ = core::Point{event.x, event.y};
     eraser_near_ = event.pen && event.eraser && event.kind != Kind::Leave;
     switch (event.kind) {
@@ -420,8 +423,10 @@ void GarmentMode::hold_slider(const ui::Intent& intent, const ui::WindowEvent& e
 bool GarmentMode::pen_turns(const ui::WindowEvent& event) {
     if (event.button) return true;
     if (views_.view() != ui::GarmentView::Solid) return false;
-    for (const core::Point& p : drawing_.handles_px) {
-        if (core::distance(p, {event.x, event.y}) < layout_.px(kGrasp_px)) return false;
+    for (const core::NetworkVertex& vertex : desk_->network().vertices()) {
+        if (!vertex.alive || vertex.layer != desk_->layer()) continue;
+        const core::Point px = views_.camera().to_px(vertex.place);
+        if (core::distance(px, {event.x, event.y}) < layout_.px(kGrasp_px)) return false;
     }
     return !views_.near_figure({event.x, event.y}, layout_.px(kBeside_px));
 }
@@ -499,7 +504,7 @@ void GarmentMode::slide(double x) {
         live_due_ = true;
     } else if (hold_ == Hold::Measure) {
         body_.slide(slider_, ui::slider_share(layout_.drawer_sliders[slider_], x, layout_.scale));
-        try_body();
+        body_due_ = true;
     }
 }
 
@@ -528,10 +533,10 @@ void GarmentMode::end_stroke(const ui::WindowEvent& event) {
     const bool line = core::draws_line(desk_->settings().tool) && desk_->settings().tool != core::DeskTool::Add;
     if (!moved_ && line) {  // a tap with a drawing tool picks
         desk_->cancel();
-        for (const core::DeskNote& middle : drawing_.open_middles) {
+        for (const core::DeskNote& middle : open_middles(*desk_)) {
             const core::Point at = views_.camera().to_px(middle.place);
             if (core::distance(at, {event.x, event.y}) < layout_.px(kGrasp_px)) {
-                close_middle(core::DeskNote(middle), event.time_us);
+                close_middle(middle, event.time_us);
                 return;
             }
         }
@@ -599,6 +604,15 @@ void GarmentMode::update(std::int64_t now_us) {
         cleared_ = false;
         put_away_.reset();
     }
+    if (gallery_open_) {
+        gallery_->update(now_us);
+        for (auto& [id, picture] : gallery_->take_pictures()) {
+            ui::Texture texture({picture.width, picture.height}, ui::PixelFormat::Colour);
+            texture.upload(0, 0, texture.size(), picture.pixels);
+            painter_.set_picture(id, &gallery_pictures_.insert_or_assign(id, std::move(texture)).first->second);
+        }
+    }
+    if (std::exchange(body_due_, false)) try_body();
     request_cloth();
     take_cloth();
     follow_live();
@@ -642,11 +656,20 @@ bool GarmentMode::changed(std::int64_t now_us) const {
 }
 
 GarmentMode::Shown GarmentMode::shown_at(std::int64_t now_us) const {
-    return {state(now_us), layout_.screen, layout_.hand};
+    Shown shown{state(now_us), std::nullopt, layout_.screen, layout_.hand};
+    if (gallery_open_) {
+        shown.gallery = gallery_->state();
+        if (touch_.pressed()) shown.gallery->pressed = touch_.pressed_item();
+    }
+    return shown;
 }
 
 void GarmentMode::draw(std::int64_t now_us, bool flip) {
     shown_ = shown_at(now_us);
+    if (shown_->gallery) {
+        painter_.paint(gallery_->page(layout_.screen, shown_->gallery->pressed).list, layout_.screen, flip);
+        return;
+    }
     painter_.paint(screen_.draw(shown_->state, layout_), layout_.screen, flip);
 }
 
@@ -659,6 +682,10 @@ bool GarmentMode::has_work() const {
 void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
     recorder_.reset();
     recording_failed_ = false;
+    keep_picture();
+    (void)keeper_.end();
+    if (gallery_open_) leave_gallery();
+    export_no_place_ = false;
     touch_.cancel();
     hold_ = Hold::None;
     pointer_px_.reset();

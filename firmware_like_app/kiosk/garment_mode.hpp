@@ -4,15 +4,20 @@
 
 #include <cstdint>
 #include <future>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/garment/desk/garment_desk.hpp"
+#include "firmware_like_app/garment/exporter.hpp"
+#include "firmware_like_app/garment/gallery_desk.hpp"
+#include "firmware_like_app/garment/stick_finder.hpp"
 #include "firmware_like_app/kiosk/figure_views.hpp"
 #include "firmware_like_app/kiosk/garment_body.hpp"
 #include "firmware_like_app/kiosk/garment_builder.hpp"
+#include "firmware_like_app/kiosk/garment_keeper.hpp"
 #include "firmware_like_app/kiosk/garment_sheet.hpp"
 #include "firmware_like_app/kiosk/garment_trace.hpp"
 #include "firmware_like_app/kiosk/mode.hpp"
@@ -24,7 +29,11 @@ namespace app {
 struct GarmentOptions {
     std::size_t language = 0;
     ui::Hand hand = ui::Hand::Right;
-    std::string size = "38";       ///< of a new design's body
+    std::string size = "38";          ///< of a new design's body
+    std::filesystem::path designs;    ///< file in which designs are kept; empty: they go with the visitor
+    std::filesystem::path export_to;  ///< folder; empty: the USB stick
+    std::string models;               ///< index in which placed objects are looked up; empty: none
+    int bin_days = 30;
     std::filesystem::path record;  ///< folder for a trace of each visit; empty: none
     bool every_frame_seen = true;  ///< false: cloth is made before the next frame, for pictures and replays
 };
@@ -66,6 +75,8 @@ class GarmentMode final : public Mode {
     void settle(std::int64_t now_us);
 
     [[nodiscard]] bool pen_is_down() const { return hold_ != Hold::None; }
+    /// The lines over the figure anew; for measuring.
+    void project_now() { project(); }
     [[nodiscard]] const ui::GarmentLayout& layout() const { return layout_; }
     [[nodiscard]] ui::GarmentState state(std::int64_t now_us) const;
     [[nodiscard]] FigureViews& views() { return views_; }
@@ -123,6 +134,16 @@ class GarmentMode final : public Mode {
     void clear_design(std::int64_t now_us);
     [[nodiscard]] std::vector<std::string> pieces_to_dye() const;
 
+    // designs that are kept
+    void export_as(std::size_t kind);
+    void fill_export(ui::GarmentState& state) const;
+    void open_gallery();
+    void keep_picture();
+    void leave_gallery();
+    void gallery_pointer(const ui::WindowEvent& event);
+    void press_gallery(std::size_t item, std::int64_t now_us);
+    void open_kept(std::int64_t id);
+
     // state
     void relayout(ui::SizePx screen, ui::Hand hand);
     void project();
@@ -160,8 +181,13 @@ class GarmentMode final : public Mode {
     std::string piece_, line_;  // selected
     bool cleared_ = false;
     std::int64_t cleared_us_ = 0;
-    std::size_t cleared_place_ = 0;
     std::optional<core::Design> put_away_;
+    std::int64_t put_away_id_ = 0;  // where it is kept; 0: nowhere
+    GarmentKeeper keeper_;
+    std::unique_ptr<GalleryDesk> gallery_;
+    std::map<ui::PictureId, ui::Texture> gallery_pictures_;
+    bool gallery_open_ = false, export_no_place_ = false;
+    Exporter exporter_;
     bool find_wanted_ = false;
 
     ui::BoardTouch touch_;
@@ -180,7 +206,7 @@ class GarmentMode final : public Mode {
     bool recording_failed_ = false;
 
     SheetDrawing drawing_;
-    bool drawing_due_ = true, live_due_ = false;
+    bool drawing_due_ = true, live_due_ = false, body_due_ = false;
     std::uint64_t projected_geometry_ = 0;
     struct Wash {
         ui::Texture coverage;
@@ -191,6 +217,7 @@ class GarmentMode final : public Mode {
 
     struct Shown {
         ui::GarmentState state;
+        std::optional<ui::GalleryState> gallery;
         ui::SizePx screen;
         ui::Hand hand;
         friend bool operator==(const Shown&, const Shown&) = default;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "firmware_like_app/kiosk/garment_mode.hpp"
@@ -85,6 +86,7 @@ void GarmentMode::act(const ui::GarmentIntent& intent, std::int64_t now_us) {
             open_drawer(ui::GarmentDrawer::Body);
             break;
         case A::Export:
+            export_no_place_ = false;
             open_drawer(ui::GarmentDrawer::Export);
             break;
         case A::Layers:
@@ -98,6 +100,12 @@ void GarmentMode::act(const ui::GarmentIntent& intent, std::int64_t now_us) {
             quads_ = !quads_;
             views_.set_quads(quads_);
             break;
+        case A::ExportAs:
+            export_as(intent.index);
+            break;
+        case A::Designs:
+            open_gallery();
+            break;
         case A::New:
             clear_design(now_us);
             break;
@@ -105,7 +113,11 @@ void GarmentMode::act(const ui::GarmentIntent& intent, std::int64_t now_us) {
             if (put_away_) {
                 const core::Design back = *std::exchange(put_away_, std::nullopt);
                 cleared_ = false;
-                if (const core::Result<void> opened = open(back); !opened) problem_ = opened.error().sentence();
+                if (put_away_id_ != 0) {
+                    open_kept(std::exchange(put_away_id_, 0));
+                } else if (const core::Result<void> opened = open(back); !opened) {
+                    problem_ = opened.error().sentence();
+                }
             }
             break;
         case A::Size:
@@ -239,6 +251,7 @@ void GarmentMode::try_body() {
 }
 
 void GarmentMode::keep_body(std::int64_t now_us) {
+    body_due_ = false;
     if (const core::Result<void> fits = core::check_measures(body_.measures()); !fits) {
         body_problem_ = words()["body_unfit"];
         body_.set(desk_->state().worn()->form.measures.value_or(body_.measures()));
@@ -250,6 +263,8 @@ void GarmentMode::keep_body(std::int64_t now_us) {
 
 void GarmentMode::clear_design(std::int64_t now_us) {
     core::Design before = desk_->design();
+    keep_picture();
+    put_away_id_ = keeper_.end().value_or(0);
     core::Design empty;
     empty.body = before.body;
     if (const core::Result<void> opened = open(empty); !opened) {

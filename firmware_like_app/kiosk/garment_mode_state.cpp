@@ -185,8 +185,11 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     state.figure = FigureViews::kFigure;
     state.figure_revision = views_.revision();
     state.problem = !body_problem_.empty() ? body_problem_ : problem_;
+    if (state.problem.empty()) state.problem = keeper_.problem();
     state.line_open = hold_ == Hold::Drawing;
     fill_drawer(state);
+    fill_export(state);
+    state.designs_kept = keeper_.keeps();
     if (touch_.pressed()) {
         state.pressed = touch_.pressed();
         state.pressed_item = touch_.pressed_item();
@@ -223,9 +226,8 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
         state.notes.push_back({words()[key], views_.camera().to_px(note.place), true});
     }
     // two ends on the middle can be joined by a tap on one of them
-    if (drawing_.open_middles.size() > 1 && hold_ == Hold::None && state.notes.empty()) {
-        state.notes.push_back(
-            {words()["note_middle"], views_.camera().to_px(drawing_.open_middles.front().place), true});
+    if (drawing_.open_middle && hold_ == Hold::None && state.notes.empty()) {
+        state.notes.push_back({words()["note_middle"], views_.camera().to_px(*drawing_.open_middle), true});
     }
     if (notes_.empty() && desk_->cloth_is_current()) {
         for (const core::DeskNote& fault : desk_->cloth_faults()) {

@@ -141,6 +141,14 @@ void add_cloth_edges(std::vector<ui::SheetLine>& out, const core::GarmentDesk& d
     }
 }
 
+std::vector<core::DeskNote> open_middles(const core::GarmentDesk& desk) {
+    std::vector<core::DeskNote> middles;
+    for (core::DeskNote& note : desk.open_places()) {
+        if (note.key == "open_middle") middles.push_back(std::move(note));
+    }
+    return middles;
+}
+
 SheetDrawing draw_sheet(const core::GarmentDesk& desk, FigureViews& views, const SheetWishes& wishes) {
     SheetDrawing out;
     const core::Network& network = desk.network();
@@ -152,7 +160,9 @@ SheetDrawing draw_sheet(const core::GarmentDesk& desk, FigureViews& views, const
     for (const core::DeskNote& note : desk.open_places()) {
         out.open_ends_px.push_back(views.camera().to_px(note.place));
         open.push_back(note.place);
-        if (note.key == "open_middle") out.open_middles.push_back(note);
+    }
+    if (const std::vector<core::DeskNote> middles = open_middles(desk); middles.size() > 1) {
+        out.open_middle = middles.front().place;
     }
     std::set<int> strong_ends;
     for (std::size_t i = 0; i < network.lines().size(); ++i) {

@@ -3,6 +3,7 @@
 // screen shows them. Projected anew when the design, the camera or the cloth changed.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ namespace app {
 struct SheetDrawing {
     std::vector<ui::SheetLine> lines;
     std::vector<core::Point> handles_px, open_ends_px;
-    /// Ends on the middle plane that wait for a line along it: a tap on one draws it.
-    std::vector<core::DeskNote> open_middles;
+    /// One of several ends on the middle plane that wait for a line along it: a tap on one draws it.
+    std::optional<core::Vec3> open_middle;
 };
 
 struct SheetWishes {
@@ -27,6 +28,9 @@ struct SheetWishes {
 /// Hems and seams of all cloth that is shown, then the lines of the layer that is worked on. Cost: some look-ups in
 /// the depth map a point of a line.
 [[nodiscard]] SheetDrawing draw_sheet(const core::GarmentDesk& desk, FigureViews& views, const SheetWishes& wishes);
+
+/// Ends on the middle plane that wait for a line along it.
+[[nodiscard]] std::vector<core::DeskNote> open_middles(const core::GarmentDesk& desk);
 
 /// A line in space as the screen shows it: in stretches that are seen and stretches that are hidden.
 void add_projected(std::vector<ui::SheetLine>& out, const core::SpaceLine& line, FigureViews& views,

@@ -530,6 +530,10 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost&
     garment_options.hand = options.hand;
     garment_options.every_frame_seen = !options.headless;
     garment_options.record = options.record;
+    if (!options.headless) garment_options.designs = options.config.garment.designs;
+    garment_options.export_to = options.config.garment.export_to;
+    garment_options.models = options.config.collection.database;
+    garment_options.bin_days = static_cast<int>(options.config.garment.bin_days);
     core::Result<std::unique_ptr<GarmentMode>> garment =
         GarmentMode::create(*fonts, *languages, garment_options, (*surface)->size());
     if (!garment) return core::unexpected(garment.error());

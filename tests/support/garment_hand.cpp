@@ -98,16 +98,30 @@ void GarmentHand::offset(double cm) {
     }
 }
 
+core::Point GarmentHand::seen(core::Vec3 place) const {
+    const ui::FigureCamera& camera = kiosk_.garment->views().camera();
+    return camera.to_drawing(camera.to_px(place));
+}
+
+core::Vec3 GarmentHand::vertex(std::size_t number) const {
+    return kiosk_.garment->desk().network().vertices()[number].place;
+}
+
 void GarmentHand::skirt() {
+    for (const bool front : {true, false}) {
+        const double side = front ? 1 : -1;  // the back view shows the other side's x
+        view(front ? ui::GarmentView::Front : ui::GarmentView::Back);
+        tool(ui::GarmentTool::OnBody);
+        const core::Point end = front ? core::Point{14, 106.8} : seen(vertex(1));
+        draw({{0, 106}, {side * 5, 106}, {side * 10, 106.3}, end});
+        tool(ui::GarmentTool::OnPlane);
+        if (front) draw({seen(vertex(1)), {19, 92}, {26, 75}, {33, 58}});
+        view(ui::GarmentView::Top);
+        draw({seen(vertex(2)), {31, -side * 11}, {23, -side * 21}, {12, -side * 26.5}, {0, -side * 28}});
+        view(front ? ui::GarmentView::Front : ui::GarmentView::Back);
+        tap({0, 106});  // a ring: closes along the middle
+    }
     view(ui::GarmentView::Front);
-    tool(ui::GarmentTool::OnBody);
-    draw({{0, 106}, {5, 106}, {10, 106.3}, {12.6, 106.6}});
-    tool(ui::GarmentTool::OnPlane);
-    draw({{12.6, 106.6}, {19, 92}, {26, 75}, {33, 58}});
-    draw({{33, 58}, {22, 56.5}, {11, 55.5}, {0, 55}});
-    view(ui::GarmentView::Back);
-    tool(ui::GarmentTool::OnBody);
-    draw({{0, 106}, {-5, 106}, {-10, 106.3}, {-12.6, 106.6}});
 }
 
 }  // namespace test

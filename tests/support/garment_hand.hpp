@@ -30,6 +30,10 @@ class GarmentHand {
     /// The front of a skirt and its back, as a beginner draws them.
     void skirt();
 
+    /// A place of the figure in the view's centimetres.
+    [[nodiscard]] core::Point seen(core::Vec3 place) const;
+    [[nodiscard]] core::Vec3 vertex(std::size_t number) const;
+
   private:
     [[nodiscard]] core::Point px(core::Point at_cm) const;
     KioskStand& kiosk_;

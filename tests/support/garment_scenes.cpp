@@ -25,6 +25,12 @@ NamedScene scene(const char* name, std::function<void(KioskStand&)> go, app::She
     return made;
 }
 
+app::ShellOptions in_french() {
+    app::ShellOptions options;
+    options.language = 1;
+    return options;
+}
+
 app::ShellOptions left_in_german() {
     app::ShellOptions options;
     options.hand = ui::Hand::Left;
@@ -65,6 +71,66 @@ std::vector<NamedScene> garment_scenes() {
                 hand.skirt();
             },
             left_in_german()),
+        scene("garment-cut",
+              [](KioskStand& k) {
+                  GarmentHand hand = with(k, "skirt_flat");
+                  hand.tool(T::Cut);
+                  hand.draw({{-2, 80}, {8, 79}, {16, 80}, {30, 82}}, false);
+              }),
+        scene("garment-temporary-plane",
+              [](KioskStand& k) {
+                  GarmentHand hand(k);
+                  hand.enter();
+                  hand.draw({{0, 106}, {5, 106}, {10, 106.3}, {14, 106.8}});
+                  hand.view(V::Solid);
+                  hand.tool(T::TemporaryPlane);
+                  const core::Point start = hand.seen(hand.vertex(0));
+                  hand.draw({start, start + core::Point{-6, 4}, start + core::Point{-16, 4}}, false);
+              }),
+        scene("garment-open-outline",
+              [](KioskStand& k) {
+                  GarmentHand hand(k);
+                  hand.enter();
+                  hand.draw({{2, 106}, {6, 106}, {10, 106.3}});
+                  hand.draw({{10, 106.3}, {13, 96}, {14, 86}});
+                  hand.draw({{14, 86}, {8, 85}, {2, 85}});
+                  hand.draw({{2, 85}, {1.6, 92}, {2, 101}});
+              }),
+        scene("garment-measure",
+              [](KioskStand& k) {
+                  GarmentHand hand = with(k, "dress");
+                  hand.tool(T::Measure);
+                  hand.tap({4, 90});
+              }),
+        scene("garment-move",
+              [](KioskStand& k) {
+                  GarmentHand hand = with(k, "dress");
+                  hand.view(V::Side);
+                  hand.tool(T::Move);
+              }),
+        scene("garment-fabric",
+              [](KioskStand& k) {
+                  GarmentHand hand = with(k, "dress");
+                  hand.press(A::Page, 2);
+                  hand.press(A::Quads);
+                  hand.press(A::Fabrics);
+                  hand.press(A::Fabric, 4);
+                  hand.press(A::Colour, 6);
+              }),
+        scene(
+            "garment-history-fr",
+            [](KioskStand& k) {
+                GarmentHand hand = with(k, "trousers");
+                hand.press(A::ShowHistory);
+                hand.press(A::Row, 2);
+            },
+            in_french()),
+        scene("garment-export",
+              [](KioskStand& k) {
+                  GarmentHand hand = with(k, "outfit");
+                  hand.view(V::Back);
+                  hand.press(A::Export);
+              }),
         scene("garment-body",
               [](KioskStand& k) {
                   GarmentHand hand = with(k, "dress");

@@ -133,6 +133,26 @@ ink=$(convert "$folder/cleared.png" -crop 20x30+750+325 +repage -colorspace Gray
 [ "$ink" -ge 240 ] || fail "New left ink on the sheet (darkest $ink)"
 ls "$folder"/drawings/drawing-*.trace >/dev/null 2>&1 || fail "the drawing was not kept"
 
+# To Garment with the pointer: the figure stands on the sheet. An outline drawn round the hips on it becomes cloth.
+click 400 52
+for _ in $(seq 60); do
+    shot figure
+    [ "$(mean "$folder/figure.png" 30x30+873+380)" -le 225 ] && break
+    sleep 0.5
+done
+figure=$(mean "$folder/figure.png" 30x30+873+380)
+[ "$figure" -le 225 ] || fail "no figure on the sheet after a tap on Garment (mean $figure)"
+sleep 1
+draw 906 330 914 331 922 333 930 335 934 350 938 370 941 390 943 405 930 407 918 408 906 408 906 390 906 370 906 350 \
+     906 332
+for _ in $(seq 40); do
+    shot cloth
+    [ "$(colours "$folder/cloth.png" 20x20+912+360)" -ge 100 ] && break
+    sleep 0.5
+done
+cloth=$(colours "$folder/cloth.png" 20x20+912+360)
+[ "$cloth" -ge 100 ] || fail "no cloth where an outline was closed on the figure (saturation $cloth)"
+
 xdotool key --window "$window" Escape
 for _ in $(seq 50); do
     kill -0 "$kiosk" 2>/dev/null || break

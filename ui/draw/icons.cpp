@@ -162,13 +162,6 @@ std::vector<Polyline> make_shaping_tool(Icon icon) {
         case Icon::Quads:
             return {Path({10, 4}).to(22, 4).to(28.5, 27).to(3.5, 27).close(), Path({16, 4}).to(16, 27),
                     Path({8, 11}).to(24, 11), Path({5.8, 19}).to(26.2, 19)};
-        case Icon::Hang:
-            return {Path({16, 10})
-                        .to(16, 8.2)
-                        .curve({20, 7.6}, {20, 3.2}, {16, 3.2})
-                        .curve({13.6, 3.2}, {12.8, 4.6}, {12.8, 6}),
-                    Path({16, 10}).to(29, 18.5).to(3, 18.5).to(16, 10), Path({8, 22}).to(8, 28),
-                    Path({16, 22}).to(16, 29), Path({24, 22}).to(24, 28)};
         default:
             return {};
     }

@@ -40,7 +40,6 @@ enum class Icon {
     Measure,
     Fabric,
     Quads,
-    Hang,
     Designs,
     Eye,
     EyeShut,

@@ -150,7 +150,7 @@ GarmentType garment_type(const GarmentLayout& l) {
     t.tool = style(Face::Medium, px(16));
     t.tile = style(Face::SemiBold, px(17 - 1 * c));
     t.caption = style(Face::Medium, px(17 - 1 * c));
-    t.number = style(Face::SemiBold, px(18 - 1 * c));
+    t.number = style(Face::SemiBold, px(18 - 2 * c));
     t.head = style(Face::SemiBold, px(22 - 3 * c), -0.01);
     t.row = style(Face::Medium, px(20 - 2 * c));
     t.button = style(Face::SemiBold, px(20 - 2 * c));

@@ -42,10 +42,8 @@ ToolFace face_of(const GarmentIntent& slot) {
             return {Icon::New, "tool_new"};
         case GarmentAction::Designs:
             return {Icon::Designs, "tool_designs"};
-        case GarmentAction::Fabrics:
-            return {Icon::Fabric, "tool_fabric"};
         default:
-            return {Icon::Hang, "tool_hang"};
+            return {Icon::Fabric, "tool_fabric"};
     }
 }
 
@@ -232,7 +230,7 @@ class Drawer {
         for (const Rect& d : l_.dividers) list_.box(d, 0, palette::kLine);
         const auto slots = tools_of_page(state_.page);
         for (std::size_t i = 0; i < kGarmentSlots; ++i) {
-            if (!slots[i]) continue;
+            if (!slots[i] || (slots[i]->action == GarmentAction::Designs && !state_.designs_kept)) continue;
             const ToolFace face = face_of(*slots[i]);
             const bool on = slots[i]->action != GarmentAction::New || !state_.empty;
             tool_button(l_.tools[i], face.icon, words_[face.key], Control::Garment,
@@ -244,7 +242,6 @@ class Drawer {
 
     [[nodiscard]] bool chosen(const GarmentIntent& slot) const {
         if (slot.action == GarmentAction::Quads) return state_.quads;
-        if (slot.action == GarmentAction::Hang) return state_.hanging;
         if (slot.action != GarmentAction::Tool) return false;
         if (slot.index == static_cast<std::size_t>(GarmentTool::Mirror)) return state_.mirror;
         return slot.index == static_cast<std::size_t>(state_.tool);
@@ -255,19 +252,22 @@ class Drawer {
         draw_fitted(list_, fonts_, words_["offset_from_body"], type_.caption, palette::kMuted, r.x,
                     l_.offset_label_baseline, r.width, Align::Left);
         list_.box(r, r.height / 2, palette::kWell);
-        const double inset = std::round(r.height / 18), d = r.height - 2 * inset;
+        // small screens: knobs are drawn smaller than what they take, so that the number has room
+        const double d = l_.compact ? l_.px(44) : r.height - 2 * std::round(r.height / 18);
+        const double inset = l_.compact ? l_.px(6) : std::round(r.height / 18);
         const auto knob = [&](double x, Icon icon, GarmentAction action, bool on) {
-            Rect k{x, r.y + inset, d, d};
+            Rect k{x, r.centre_y() - d / 2, d, d};
             if (down(action)) k = scaled(k, 0.94);
             list_.box(k, d / 2, down(action) ? palette::kLine : palette::kSheet);
-            const double size = l_.px(28);
+            const double size = l_.px(l_.compact ? 24 : 28);
             list_.icon(icon, k.centre_x(), k.centre_y(), size, size / 32 * 3,
                        palette::kInk.faded(on ? 1.0F : palette::kOffShare));
         };
         knob(r.x + inset, Icon::Minus, GarmentAction::Less, state_.offset_cm > 0);
         knob(r.right() - inset - d, Icon::Plus, GarmentAction::More, state_.offset_cm < 20);
         draw_fitted(list_, fonts_, tenths_in(words_, state_.offset_cm) + " cm", type_.number, palette::kInk,
-                    r.centre_x(), r.centre_y() + cap_drop(type_.number), r.width - 2 * d - 4 * inset, Align::Centre);
+                    r.centre_x(), r.centre_y() + cap_drop(type_.number), r.width - 2 * d - (l_.compact ? 2 : 4) * inset,
+                    Align::Centre);
     }
 
     void pages() {
@@ -383,8 +383,8 @@ std::array<std::optional<GarmentIntent>, kGarmentSlots> tools_of_page(std::size_
             GarmentIntent{A::Designs},
             GarmentIntent{A::Fabrics},
             GarmentIntent{A::Quads},
-            GarmentIntent{A::Hang},
             tool(T::Measure),
+            std::nullopt,
             std::nullopt,
             std::nullopt};
 }
@@ -423,6 +423,7 @@ std::vector<BoardTouch::Target> GarmentScreen::targets(const GarmentState& state
     const auto slots = tools_of_page(state.page);
     for (std::size_t i = 0; i < kGarmentSlots; ++i) {
         if (!slots[i] || (slots[i]->action == A::New && state.empty)) continue;
+        if (slots[i]->action == A::Designs && !state.designs_kept) continue;
         add(slots[i]->action, slots[i]->index, layout.tools[i]);
     }
     if (state.can_undo) all.push_back({Control::Undo, 0, layout.undo});

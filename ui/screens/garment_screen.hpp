@@ -64,7 +64,6 @@ enum class GarmentAction {
     Designs,
     Fabrics,
     Quads,
-    Hang,
     CloseDrawer,
     Size,     ///< index: of the sizes
     Measure,  ///< index: slider of the body drawer
@@ -151,8 +150,9 @@ struct GarmentState {
     std::array<PictureId, kGarmentTiles> tile_pictures{};
     double offset_cm = 1.2;
     bool can_undo = false, can_redo = false, empty = true, cleared = false;
-    bool mirror = true, quads = true, hanging = false;
-    bool line_open = false;  ///< the pen is down
+    bool mirror = true, quads = true;
+    bool designs_kept = false;  ///< there is a gallery
+    bool line_open = false;     ///< the pen is down
 
     std::vector<LayerRow> rows;
     std::vector<HistoryRow> history;
