@@ -53,6 +53,26 @@ std::string step_subject(const DesignStep& step) {
     return {};
 }
 
+/// How much of a line follows an end that is put elsewhere in depth: so many times the way, this much at least and half
+/// of the line at most.
+constexpr double kFollow = 4.0, kLeastFollow_cm = 3.0;
+
+/// Moves the start of a line, and less and less what follows it.
+void pull_start(SpaceLine& line, Vec3 place) {
+    const Vec3 shift = place - line.front();
+    const double reach = std::min(0.5 * line_length(line), std::max(kLeastFollow_cm, kFollow * length(shift)));
+    double passed = 0.0;
+    Vec3 before = line.front();
+    for (Vec3& p : line) {
+        passed += length(p - before);
+        if (passed >= reach) break;
+        before = p;
+        const double t = 1.0 - passed / reach;
+        p = p + shift * (t * t);
+    }
+    line.front() = place;
+}
+
 constexpr double kDrawnSmoothing_cm = 0.5;
 constexpr int kDrawnPasses = 4;
 
@@ -156,9 +176,13 @@ Result<SpaceLine> DesignRunner::drawn_line(const DesignStep& step) const {
     Vec3 first = line.front(), last = line.back();
     put_to_landmark(first, step.starts_at, step.stroke.front());
     put_to_landmark(last, step.ends_at, step.stroke.back());
-    if (step.starts_to) first = *step.starts_to;
-    if (step.ends_to) last = *step.ends_to;
     pull_ends(line, first, last);
+    if (step.starts_to) pull_start(line, *step.starts_to);
+    if (step.ends_to) {
+        std::reverse(line.begin(), line.end());
+        pull_start(line, *step.ends_to);
+        std::reverse(line.begin(), line.end());
+    }
     return line;
 }
 

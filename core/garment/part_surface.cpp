@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace core {
 namespace {
@@ -50,6 +51,32 @@ std::optional<PartPlace> PartSurface::nearest(Vec3 p, PartSet parts, double reac
                     }
                 }
     return best;
+}
+
+std::vector<Vec3> PartSurface::centre_line(BodyPart part) const {
+    constexpr std::size_t kSlices = 10;
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (const Face& face : faces_) {
+        if (face.part != part) continue;
+        low = std::min(low, face.middle.y);
+        high = std::max(high, face.middle.y);
+    }
+    std::array<Vec3, kSlices> least{}, most{};
+    std::array<bool, kSlices> some{};
+    for (const Face& face : faces_) {
+        if (face.part != part || high <= low) continue;
+        const auto slice =
+            std::min(kSlices - 1, static_cast<std::size_t>((high - face.middle.y) / (high - low) * kSlices));
+        const Vec3 p = face.middle;
+        Vec3 &a = least[slice], &b = most[slice];
+        a = some[slice] ? Vec3{std::min(a.x, p.x), std::min(a.y, p.y), std::min(a.z, p.z)} : p;
+        b = some[slice] ? Vec3{std::max(b.x, p.x), std::max(b.y, p.y), std::max(b.z, p.z)} : p;
+        some[slice] = true;
+    }
+    std::vector<Vec3> line;
+    for (std::size_t k = 0; k < kSlices; ++k)
+        if (some[k]) line.push_back((least[k] + most[k]) * 0.5);
+    return line;
 }
 
 PartSet PartSurface::parts_under(const std::vector<Vec3>& points) const {

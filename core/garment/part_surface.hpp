@@ -29,6 +29,10 @@ class PartSurface {
     /// The parts that a piece of cloth with these points lies over: nearest to a twentieth of them at least.
     [[nodiscard]] PartSet parts_under(const std::vector<Vec3>& points) const;
 
+    /// Places inside a part, from its upper to its lower end: the middles of ten slices of it. Empty for a part that
+    /// the body does not have.
+    [[nodiscard]] std::vector<Vec3> centre_line(BodyPart part) const;
+
   private:
     struct Face {
         Vec3 middle, normal;

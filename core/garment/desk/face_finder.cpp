@@ -7,6 +7,8 @@
 #include <numbers>
 #include <set>
 
+#include "core/garment/desk/limb_threads.hpp"
+
 namespace core {
 namespace {
 
@@ -16,8 +18,9 @@ constexpr double kSpacing_cm = 1.25;  // at which the turn of a line is summed
 /// A vertex whose order may be wrong: a line that leaves along the way out, or two whose directions are this near.
 constexpr double kSteep = 0.6, kNear_rad = 0.7;
 constexpr std::size_t kMostTried = 5;  // lines at a vertex whose orders are all tried
-constexpr int kRounds = 3;
-constexpr double kFacing = 0.35;  // openings of the worked designs: 0.14 at most; their pieces: 0.7 at least
+constexpr int kRounds = 4;
+constexpr std::size_t kMostPaired = 24;  // vertices of three lines that are tried two at a time
+constexpr double kFacing = 0.35;         // openings of the worked designs: 0.14 at most; their pieces: 0.7 at least
 
 /// Half of a line: it, walked from one of its ends.
 struct Half {
@@ -40,7 +43,8 @@ struct Corner {
 
 class FaceWalk {
   public:
-    FaceWalk(const Network& network, int layer, const Obstacle& body) : net_(network), body_(body) {
+    FaceWalk(const Network& network, int layer, const Obstacle& body)
+        : net_(network), body_(body), threads_(limb_threads(body.parts())) {
         take_lines(layer);
         for (std::size_t v = 0; v < corners_.size(); ++v) order_lines(static_cast<int>(v));
         improve();
@@ -56,7 +60,9 @@ class FaceWalk {
                 lines.insert(id / 2);
             }
             face.turn_rad = turn_of(walk);
-            face.facing = facing_of(face.ring);
+            const SpaceLine border = border_of(face.ring);
+            face.facing = facing_of(border);
+            face.is_opening = is_opening(walk);
             if (lines.size() == walk.size()) out.push_back(std::move(face));
         }
         return out;
@@ -89,10 +95,13 @@ class FaceWalk {
         corners_.resize(net_.vertices().size());
         place_in_order_.resize(2 * net_.lines().size(), 0);
         line_turn_.resize(net_.lines().size(), 0.0);
+        passes_.resize(net_.lines().size());
         for (const int i : lines_) {
             corners_[static_cast<std::size_t>(line(i).from)].order.push_back({{i, false}, {}, 0.0});
             corners_[static_cast<std::size_t>(line(i).to)].order.push_back({{i, true}, {}, 0.0});
             line_turn_[static_cast<std::size_t>(i)] = turn_along(line(i).shape);
+            for (const SpaceLine& thread : threads_)
+                passes_[static_cast<std::size_t>(i)].push_back(passes_cone(thread, line(i).shape));
         }
     }
 
@@ -194,13 +203,17 @@ class FaceWalk {
         return sum;
     }
 
-    [[nodiscard]] double facing_of(const std::vector<LineUse>& ring) const {
+    [[nodiscard]] SpaceLine border_of(const std::vector<LineUse>& ring) const {
         SpaceLine border;
         for (const LineUse use : ring) {
             SpaceLine shape = resampled(line(use.line).shape, 12);
             if (use.reversed) std::reverse(shape.begin(), shape.end());
             border.insert(border.end(), shape.begin(), shape.end() - 1);
         }
+        return border;
+    }
+
+    [[nodiscard]] double facing_of(const SpaceLine& border) const {
         Vec3 normal;
         for (std::size_t i = 0; i < border.size(); ++i)
             normal = normal + cross(border[i], border[(i + 1) % border.size()]);
@@ -212,12 +225,25 @@ class FaceWalk {
         return *tenth;
     }
 
+    /// Whether a thread passes through the border.
+    [[nodiscard]] bool is_opening(const std::vector<int>& walk) const {
+        for (std::size_t t = 0; t < threads_.size(); ++t) {
+            int sum = 0;
+            for (const int id : walk) {
+                const int passes = passes_[static_cast<std::size_t>(id / 2)][t];
+                sum += id % 2 == 0 ? passes : -passes;
+            }
+            if (sum != 0) return true;
+        }
+        return false;
+    }
+
     /// How well the orders about vertices go together: every face more is a handle less (Euler), and then pieces that
-    /// turn once about themselves count.
+    /// turn once about themselves count, and openings that do not turn.
     [[nodiscard]] double merit() const {
         double sum = 0.0;
         for (const std::vector<int>& walk : walks()) {
-            const double off = std::abs(turn_of(walk) - 2.0 * kPi) / (2.0 * kPi);
+            const double off = std::abs(turn_of(walk) - (is_opening(walk) ? 0.0 : 2.0 * kPi)) / (2.0 * kPi);
             sum += 10.0 + std::max(0.0, 1.0 - off);
         }
         return sum;
@@ -252,16 +278,41 @@ class FaceWalk {
                 corner.flat = is_turning(corner);
                 note_order(corner);
             }
-            if (best <= before + 1e-9) break;
+            if (best <= before + 1e-9 && !improve_two(best)) break;
         }
+    }
+
+    /// Turns the order about two vertices at once: at both ends of lines that lie nearly on each other each alone would
+    /// make things worse.
+    bool improve_two(double& best) {
+        std::vector<Corner*> three;
+        for (Corner& corner : corners_)
+            if (corner.weak && corner.order.size() == 3 && three.size() < kMostPaired) three.push_back(&corner);
+        const auto turn = [&](Corner& corner) {
+            std::swap(corner.order[1], corner.order[2]);
+            corner.flat = is_turning(corner);
+            note_order(corner);
+        };
+        for (std::size_t a = 0; a < three.size(); ++a)
+            for (std::size_t b = a + 1; b < three.size(); ++b) {
+                turn(*three[a]), turn(*three[b]);
+                if (const double now = merit(); now > best + 1e-9) {
+                    best = now;
+                    return true;
+                }
+                turn(*three[a]), turn(*three[b]);
+            }
+        return false;
     }
 
     const Network& net_;
     const Obstacle& body_;
+    std::vector<SpaceLine> threads_;
     std::vector<int> lines_;
     std::vector<Corner> corners_;              // by vertex
     std::vector<std::size_t> place_in_order_;  // of each half about the vertex it leaves
     std::vector<double> line_turn_;
+    std::vector<std::vector<int>> passes_;  // of each line: each thread through its cone
 };
 
 std::set<int> lines_of(const std::vector<LineUse>& ring) {
@@ -277,7 +328,7 @@ bool is_half_of(const NetworkRegion& region, LineUse use) {
 }  // namespace
 
 bool NetworkFace::is_cloth() const {
-    return turn_rad > kPi && facing > kFacing;
+    return turn_rad > kPi && facing > kFacing && !is_opening;
 }
 
 std::vector<NetworkFace> find_faces(const Network& network, int layer, const Obstacle& body) {

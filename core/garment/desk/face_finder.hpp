@@ -22,6 +22,7 @@ struct NetworkFace {
     std::vector<LineUse> ring;  ///< anti-clockwise seen from outside of the body
     double turn_rad = 0.0;      ///< cloth: above pi
     double facing = 0.0;        ///< cosine between the face's normal and the way out that a tenth of its border exceeds
+    bool is_opening = false;    ///< a limb, the trunk or the head passes through it
     [[nodiscard]] bool is_cloth() const;
 };
 

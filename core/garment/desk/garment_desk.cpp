@@ -40,7 +40,7 @@ GarmentDesk::GarmentDesk(Design settings, DesignRunner start)
     shown_form_ = {state().worn(), &state().worn()->form};
 }
 
-Result<GarmentDesk> GarmentDesk::open(Design design, DressForm form, FormSource source) {
+Result<GarmentDesk> GarmentDesk::open(Design design, const DressForm& form, FormSource source) {
     Result<DesignRunner> start = DesignRunner::start(design, form, std::move(source));
     if (!start) return unexpected(start.error());
     const std::vector<DesignStep> steps = std::exchange(design.steps, {});

@@ -48,11 +48,25 @@ struct LayerRow {
     std::string clash;  ///< what fitting left unresolved, one sentence; empty when all is well
 };
 
+/// A stroke that the pen is at; the desk's own.
+struct OpenStroke {
+    SketchStroke parts;
+    std::vector<DeskTool> tools;  // of each part
+    std::unique_ptr<QuadMesh> piece;
+    std::unique_ptr<StrokeLifter> lifter;
+    bool lifted = false;  // paused
+    Pick grabbed;         // what Move, Weld, Smooth, Bump began at
+    Vec3 to;              // Move: where it is now
+    std::optional<Network> dragged;
+    DrawingView view;  // of the first and last sample
+    Point first, last;
+};
+
 class GarmentDesk {
   public:
     /// Takes all steps of the design on the form, which is that of design.body. Steps that fail are faults and stay in
     /// the design. `source`: bodies of the user's own by name. ErrorCode::BadMesh when the form is not closed.
-    [[nodiscard]] static Result<GarmentDesk> open(Design design, DressForm form, FormSource source = {});
+    [[nodiscard]] static Result<GarmentDesk> open(Design design, const DressForm& form, FormSource source = {});
 
     // ---- the pen
 
@@ -153,18 +167,6 @@ class GarmentDesk {
     void drop_live();
 
   private:
-    struct OpenStroke {
-        SketchStroke parts;
-        std::vector<DeskTool> tools;  // of each part
-        std::unique_ptr<QuadMesh> piece;
-        std::unique_ptr<StrokeLifter> lifter;
-        bool lifted = false;  // paused
-        Pick grabbed;         // what Move, Weld, Smooth, Bump began at
-        Vec3 to;              // Move: where it is now
-        std::optional<Network> dragged;
-        DrawingView view;  // of the first and last sample
-        Point first, last;
-    };
     struct LiftedStroke;
 
     GarmentDesk(Design settings, DesignRunner start);
@@ -182,7 +184,7 @@ class GarmentDesk {
     [[nodiscard]] DrawingTool lifting_tool(const DrawingView& view, Point at) const;
     [[nodiscard]] double plane_through_start(const DrawingView& view, Point at, int axis) const;
     void add_anchor(const DrawingView& view, Point at);
-    [[nodiscard]] std::optional<Vec3> joined(const DrawingView& view, Point at, Vec3 end) const;
+    [[nodiscard]] std::optional<Vec3> joined(const StrokePart& part, Point at, Vec3 end) const;
     void preview_stroke();
     void drag(const DrawingView& view, Point at);
     bool ready_live(int layer);

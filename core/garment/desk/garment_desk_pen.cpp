@@ -21,8 +21,10 @@ using Kind = DesignStep::Kind;
 using ToolKind = DrawingTool::Kind;
 
 constexpr double kLeastStep_cm = 0.05;  // between samples of a stroke
-constexpr double kJoinDepth_cm = 10.0;  // how far in depth an end is put to what the pen met
-constexpr double kTap_cm = 0.6;         // a stroke shorter than this is a tap
+// How far in depth an end is put to a vertex or a line that the pen met. A plane was chosen for its depth.
+constexpr double kJoinVertex_cm = 20.0, kJoinLine_cm = 10.0, kJoinFromPlane_cm = 6.0;
+constexpr double kHidden_cm = 2.0;  // this far behind the body and more nothing is met
+constexpr double kTap_cm = 0.6;     // a stroke shorter than this is a tap
 constexpr double kTapeStroke_cm = 3.0;
 constexpr double kRayReach_cm = 800.0;
 
@@ -245,23 +247,32 @@ void GarmentDesk::add_sample(Point at) {
 }
 
 /// The vertex, or place on a line, that the pen met with an end of its stroke that lies elsewhere in depth.
-std::optional<Vec3> GarmentDesk::joined(const DrawingView& view, Point at, Vec3 end) const {
+std::optional<Vec3> GarmentDesk::joined(const StrokePart& part, Point at, Vec3 end) const {
+    const DrawingView& view = part.view;
+    const bool free = part.tool.kind == ToolKind::Body || part.tool.kind == ToolKind::Temporary;
     if (!settings_.joins_in_view) return std::nullopt;
     const SnapTarget by_itself = snap_target(network(), layer(), {}, end, settings_only_.network.snap_cm, false);
     if (by_itself.kind == SnapTarget::Kind::Vertex) return std::nullopt;
+    const auto is_seen = [&](Vec3 place) {
+        const DrawingView::Ray ray = view.ray(view.project(place));
+        const std::optional<Vec3> hit = state().obstacle().first_hit(ray.origin, ray.direction, 0.0, kRayReach_cm);
+        return !hit || view.depth(place) > view.depth(*hit) - kHidden_cm;
+    };
     std::optional<Vec3> best;
-    double least = kJoinDepth_cm;
+    double least = free ? kJoinVertex_cm : kJoinFromPlane_cm;
     for (const NetworkVertex& vertex : network().vertices()) {
         if (!vertex.alive || vertex.layer != layer()) continue;
         if (!(distance(view.project(vertex.place), at) <= settings_.reach_cm)) continue;
-        if (const double away = length(vertex.place - end); away < least) least = away, best = vertex.place;
+        if (const double away = length(vertex.place - end); away < least && is_seen(vertex.place))
+            least = away, best = vertex.place;
     }
     if (best || by_itself.kind == SnapTarget::Kind::Line) return best;
+    least = std::min(least, kJoinLine_cm);
     for (const NetworkLine& line : network().lines()) {
         if (!line.alive || line.layer != layer()) continue;
         for (const Vec3& p : line.shape)
             if (const double away = length(p - end);
-                away < least && distance(view.project(p), at) <= settings_.reach_cm)
+                away < least && distance(view.project(p), at) <= settings_.reach_cm && is_seen(p))
                 least = away, best = p;
     }
     return best;
@@ -273,7 +284,7 @@ void GarmentDesk::preview_stroke() {
     if (preview_.line.empty() || !draws_line(settings_.tool)) return;
     const double reach = settings_only_.network.snap_cm;
     const auto target = [&](const StrokePart& part, Point at, Vec3 end) {
-        if (const std::optional<Vec3> met = joined(part.view, at, end); met)
+        if (const std::optional<Vec3> met = joined(part, at, end); met)
             return SnapTarget{SnapTarget::Kind::Vertex, *met, {}};
         const std::vector<Landmark> none;
         return snap_target(network(), layer(), settings_.to_landmarks ? state().landmarks() : none, end, reach,
@@ -487,8 +498,8 @@ DeskReply GarmentDesk::end_line(OpenStroke stroke) {
         const StrokePart &first = step.stroke.front(), &last = step.stroke.back();
         const bool closed = length(line->front() - line->back()) < settings_only_.network.snap_cm;
         if (!closed) {
-            step.starts_to = joined(first.view, first.points.front(), line->front());
-            step.ends_to = joined(last.view, last.points.back(), line->back());
+            step.starts_to = joined(first, first.points.front(), line->front());
+            step.ends_to = joined(last, last.points.back(), line->back());
             if (step.starts_to && step.ends_to && *step.starts_to == *step.ends_to) step.ends_to.reset();
             if (settings_.to_landmarks) step = state().snapped(std::move(step));
         }

@@ -6,6 +6,7 @@
 
 #include "core/exchange/design_file.hpp"
 #include "core/garment/wardrobe.hpp"
+#include "support/cloth_distance.hpp"
 #include "support/desk_hand.hpp"
 
 using core::DesignStep;
@@ -49,35 +50,6 @@ core::GarmentDesk drawn_at_desk(const core::Design& design) {
     return std::move(*desk);
 }
 
-double distance_to(const core::QuadMesh& mesh, core::Vec3 p) {
-    double least = 1e9;
-    for (const core::Quad& q : mesh.quads)
-        for (const auto& t : {std::array{q[0], q[1], q[2]}, std::array{q[0], q[2], q[3]}}) {
-            const core::Vec3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
-            const core::Vec3 n = core::cross(b - a, c - a);
-            if (core::length(a - p) > least + 12.0) continue;
-            // onto the plane when inside, else to its edges
-            const double d = core::dot(p - a, n) / std::max(1e-12, core::length(n));
-            const core::Vec3 on = p - core::normalised(n) * d;
-            const bool inside = core::dot(core::cross(b - a, on - a), n) >= 0 &&
-                                core::dot(core::cross(c - b, on - b), n) >= 0 &&
-                                core::dot(core::cross(a - c, on - c), n) >= 0;
-            if (inside) {
-                least = std::min(least, std::abs(d));
-                continue;
-            }
-            for (const auto& [u, v] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}})
-                least = std::min(least, core::nearest_on_line({u, v}, p).distance);
-        }
-    return least;
-}
-
-double farthest(const core::QuadMesh& a, const core::QuadMesh& b) {
-    double most = 0.0;
-    for (std::size_t v = 0; v < a.vertices.size(); v += 3) most = std::max(most, distance_to(b, a.vertices[v]));
-    return most;
-}
-
 }  // namespace
 
 TEST_CASE("worked designs drawn by the pen are the engine's", "[worked_desk]") {
@@ -97,7 +69,7 @@ TEST_CASE("worked designs drawn by the pen are the engine's", "[worked_desk]") {
                     return counts;
                 };
                 CHECK(quads(own) == quads(other));
-                const double most = std::max(farthest(own.mesh, other.mesh), farthest(other.mesh, own.mesh));
+                const double most = support::distance_between(own.mesh, other.mesh).largest;
                 WARN(name << " layer " << k + 1 << ": " << own.pieces.size() << " pieces, " << own.mesh.quads.size()
                           << " quads, surfaces at most " << most << " cm apart");
                 CHECK(most <= 0.5);
