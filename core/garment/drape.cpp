@@ -17,10 +17,14 @@ constexpr double kStep_s = 1.0 / 60.0;
 constexpr double kThickShare = 0.8;  // of the mean edge: spheres that leave no gap for a vertex to slip through
 constexpr double kMostThickness_cm = 1.0;
 constexpr double kReachShare = 1.75;    // contacts are looked for this many thicknesses away
-constexpr double kDriftShare = 0.7;     // a vertex may move so many before they are looked for again: two that meet
+constexpr double kDriftShare = 0.5;     // a vertex may move so many before they are looked for again: two that meet
                                         // are found before they passed each other
 constexpr double kMostMoveShare = 0.4;  // of the thickness, in a substep
 constexpr double kCurve_cm = 2.0;       // radius of the body's curves that quads must not cut
+
+constexpr std::size_t kMostCells = std::size_t{1} << 20;
+constexpr double kSteepest = 1.75;    // change of the body's field along a centimetre, at the most: it is interpolated
+constexpr double kMostFree_cm = 2.0;  // layers below are felt from 4 cm on
 
 constexpr double kBand_cm = 1.5, kBandHeight_cm = 8.0;
 
@@ -107,7 +111,9 @@ void Drape::add_links() {
 void Drape::reset() {
     at_ = before_ = rest_.vertices;
     speed_.assign(at_.size(), {});
+    free_.assign(at_.size(), 0.0);
     contacts_.clear();
+    searched_ = false;
 }
 
 double Drape::mean_speed_cm_s() const {
@@ -121,23 +127,24 @@ double Drape::mean_speed_cm_s() const {
 void Drape::find_contacts() {
     contacts_.clear();
     since_search_ = 0.0;
+    searched_ = true;
     if (at_.empty() || thickness_ <= 0.0) return;
+    sort_by_cell(kReachShare * thickness_);
+    for (std::uint32_t i = 0; i < at_.size(); ++i) add_contacts(i);
+}
+
+/// Those with a greater number. Cells in a row lie in a row: nine stretches hold all that is near.
+void Drape::add_contacts(std::uint32_t vertex) {
+    const Vec3 p = at_[vertex];
     const double reach = kReachShare * thickness_;
-    sort_by_cell(reach);
-    for (std::uint32_t i = 0; i < at_.size(); ++i) {
-        const Vec3 p = at_[i];
-        const Cell own = cell_of_[i];
-        for (int k = 0; k < 27; ++k) {
-            const Cell cell{own.x + k % 3 - 1, own.y + k / 3 % 3 - 1, own.z + k / 9 - 1};
-            const std::uint32_t bucket = bucket_of(cell);
-            for (std::uint32_t s = cell_start_[bucket]; s < cell_start_[bucket + 1]; ++s) {
-                const std::uint32_t j = sorted_[s];
-                if (j <= i || is_linked(i, j)) continue;
-                const Vec3 d = at_[j] - p;
-                if (dot(d, d) >= reach * reach || !(cell_of_[j] == cell)) continue;  // cells may share a bucket
-                const double drawn = length(rest_.vertices[j] - rest_.vertices[i]);
-                contacts_.push_back({i, j, std::min(thickness_, 0.95 * drawn)});
-            }
+    for (std::size_t k = 0; k < 9; ++k) {
+        const std::size_t first = cell_[vertex] - 1 + (k % 3) * nx_ + (k / 3) * nx_ * ny_ - nx_ - nx_ * ny_;
+        for (std::uint32_t s = cell_start_[first]; s < cell_start_[first + 3]; ++s) {
+            const Sorted& other = sorted_[s];
+            const Vec3 d = other.at - p;
+            if (dot(d, d) >= reach * reach || other.vertex <= vertex || is_linked(vertex, other.vertex)) continue;
+            const double drawn = length(rest_.vertices[other.vertex] - rest_.vertices[vertex]);
+            contacts_.push_back({vertex, other.vertex, std::min(thickness_, 0.95 * drawn)});
         }
     }
 }
@@ -149,33 +156,42 @@ bool Drape::is_linked(std::uint32_t low, std::uint32_t high) const {
     return false;
 }
 
-std::uint32_t Drape::bucket_of(Cell cell) {
-    const std::uint32_t hash = static_cast<std::uint32_t>(cell.x) * 73856093U ^
-                               static_cast<std::uint32_t>(cell.y) * 19349663U ^
-                               static_cast<std::uint32_t>(cell.z) * 83492791U;
-    return hash % kBuckets;
+std::size_t Drape::cell_of(Vec3 p) const {
+    const auto number = [&](double v) { return static_cast<std::size_t>(v / cell_size_) + 1; };
+    return (number(p.z - low_.z) * ny_ + number(p.y - low_.y)) * nx_ + number(p.x - low_.x);
 }
 
 void Drape::sort_by_cell(double size) {
-    const auto cell = [&](double v) { return static_cast<std::int32_t>(std::floor(v / size)); };
-    cell_start_.assign(kBuckets + 1, 0);
-    cell_of_.resize(at_.size());
+    Vec3 high = low_ = at_.front();
+    for (const Vec3& p : at_) {
+        low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    const Vec3 span = high - low_;
+    const auto cells_along = [&](double length) { return static_cast<std::size_t>(length / cell_size_) + 3; };
+    std::size_t count = 0;
+    for (cell_size_ = size;; cell_size_ *= 1.5) {  // what lies far apart gets larger cells
+        nx_ = cells_along(span.x), ny_ = cells_along(span.y);
+        count = nx_ * ny_ * cells_along(span.z);
+        if (count <= kMostCells) break;
+    }
+    cell_start_.assign(count + 1, 0);
+    cell_.resize(at_.size());
     sorted_.resize(at_.size());
     for (std::size_t i = 0; i < at_.size(); ++i) {
-        cell_of_[i] = {cell(at_[i].x), cell(at_[i].y), cell(at_[i].z)};
-        ++cell_start_[bucket_of(cell_of_[i]) + 1];
+        cell_[i] = cell_of(at_[i]);
+        ++cell_start_[cell_[i]];
     }
-    for (std::uint32_t b = 0; b < kBuckets; ++b) cell_start_[b + 1] += cell_start_[b];
-    std::vector<std::uint32_t> next(cell_start_.begin(), cell_start_.end() - 1);
-    for (std::size_t i = 0; i < at_.size(); ++i)
-        sorted_[next[bucket_of(cell_of_[i])]++] = static_cast<std::uint32_t>(i);
+    std::uint32_t sum = 0;  // each cell's number becomes its end, and then, as it fills backwards, its start
+    for (std::uint32_t& start : cell_start_) start = sum += start;
+    for (std::size_t i = at_.size(); i-- > 0;)
+        sorted_[--cell_start_[cell_[i]]] = {at_[i], static_cast<std::uint32_t>(i)};
 }
 
 void Drape::step() {
     const double dt = kStep_s / options_.substeps;
-    find_contacts();
     for (int k = 0; k < options_.substeps; ++k) {
-        if (since_search_ > kDriftShare * thickness_) find_contacts();
+        if (!searched_ || since_search_ > kDriftShare * thickness_) find_contacts();
         substep(dt);
     }
 }
@@ -195,6 +211,7 @@ void Drape::substep(double dt) {
     keep_lengths();
     keep_apart();
     keep_outside();
+    stay_above_floor();
     double farthest = 0.0;
     for (std::size_t i = 0; i < at_.size(); ++i) {
         const Vec3 moved = at_[i] - before_[i];
@@ -239,12 +256,28 @@ void Drape::keep_apart() {
 void Drape::keep_outside() {
     for (std::size_t i = 0; i < at_.size(); ++i) {
         if (weight_[i] == 0.0) continue;
+        free_[i] -= kSteepest * length(at_[i] - before_[i]);
+        if (free_[i] > 0.0) continue;
         const FieldSample s = obstacle_.quick_sample(at_[i]);
         const double depth = clearance_ - s.distance;
+        free_[i] = std::clamp(-depth, 0.0, kMostFree_cm);
         if (depth <= 0.0) continue;
         at_[i] = at_[i] + s.gradient * depth;
         const Vec3 moved = at_[i] - before_[i];
         const Vec3 along = moved - s.gradient * dot(moved, s.gradient);
+        const double size = length(along), stop = options_.body_friction * depth;
+        at_[i] = size <= stop ? at_[i] - along : at_[i] - along * (stop / size);
+    }
+}
+
+/// As the body does, with a field that only rises.
+void Drape::stay_above_floor() {
+    const double least = options_.floor_cm + options_.clearance_cm;
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+        if (at_[i].y >= least || weight_[i] == 0.0) continue;
+        const double depth = least - at_[i].y;
+        at_[i].y = least;
+        const Vec3 along{at_[i].x - before_[i].x, 0.0, at_[i].z - before_[i].z};
         const double size = length(along), stop = options_.body_friction * depth;
         at_[i] = size <= stop ? at_[i] - along : at_[i] - along * (stop / size);
     }

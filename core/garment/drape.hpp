@@ -9,7 +9,7 @@
 // Extended position based dynamics, many substeps of one iteration (M. Macklin and others, Small steps in physics
 // simulation, 2019): edges keep their lengths, diagonals and the spans over two quads give way a little against shear
 // and bending, the body pushes out along its distance field with friction, and vertices of sheets that touch keep
-// apart by a radius (found with a hash grid). Serial and in vertex order: the same steps give the same places.
+// apart by a radius (found with a grid). In vertex order: the same steps give the same places.
 
 #include <cstdint>
 #include <vector>
@@ -28,6 +28,7 @@ struct DrapeOptions {
     double body_friction = 0.6;  ///< tangential against normal correction
     double cloth_friction = 0.1;
     double drag_per_s = 1.0;  ///< share of the speed that air takes in a second, about
+    double floor_cm = 0.0;    ///< height of the ground that cloth lies down on
 };
 
 class Drape {
@@ -56,21 +57,17 @@ class Drape {
         double least;
     };
 
-    struct Cell {
-        std::int32_t x, y, z;
-        friend bool operator==(const Cell&, const Cell&) = default;
-    };
-    static constexpr std::uint32_t kBuckets = 1U << 15;
-
     void add_links();
     void find_contacts();
-    [[nodiscard]] static std::uint32_t bucket_of(Cell cell);
+    void add_contacts(std::uint32_t vertex);
     void sort_by_cell(double size);
+    [[nodiscard]] std::size_t cell_of(Vec3 p) const;
     [[nodiscard]] bool is_linked(std::uint32_t low, std::uint32_t high) const;
     void substep(double seconds);
     void keep_lengths();
     void keep_apart();
     void keep_outside();
+    void stay_above_floor();
 
     QuadMesh rest_;
     const Obstacle& obstacle_;
@@ -82,9 +79,19 @@ class Drape {
     std::vector<Vec3> at_, before_, speed_;
     double thickness_ = 0.0, clearance_ = 0.0;
     double since_search_ = 0.0;  // how far a vertex may have moved since contacts were looked for
-    // the hash grid: vertices sorted by cell
-    std::vector<std::uint32_t> cell_start_, sorted_;
-    std::vector<Cell> cell_of_;
+    bool searched_ = false;
+    std::vector<double> free_;  // of each vertex: how far it may move before it can touch the body
+    // the grid: vertices sorted by cell, with a layer of empty cells around
+    struct Sorted {
+        Vec3 at;
+        std::uint32_t vertex;
+    };
+    Vec3 low_;
+    double cell_size_ = 1.0;
+    std::size_t nx_ = 0, ny_ = 0;
+    std::vector<std::uint32_t> cell_start_;
+    std::vector<std::size_t> cell_;  // of each vertex
+    std::vector<Sorted> sorted_;
 };
 
 /// All layers of a garment as one mesh, inner ones first.

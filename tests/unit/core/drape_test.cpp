@@ -106,6 +106,35 @@ TEST_CASE("a band at the top of a layer holds it, its lower hem hangs", "[drape]
     CHECK(count < 50);
 }
 
+TEST_CASE("a cloth that slides off lies down on the floor", "[drape]") {
+    QuadMesh cloth = support::bent_grid(16, 16, [](double u, double v) {
+        return Vec3{60.0 + 16.0 * u, 9.0 + 5.0 * v, 16.0 * (0.5 - v)};
+    });
+    core::Drape drape(cloth, post(), {});
+    for (int k = 0; k < 90; ++k) drape.step();
+    for (const Vec3& p : drape.places()) {
+        CHECK(p.y >= 0.39);
+        CHECK(p.y < 3.0);
+    }
+    CHECK(drape.mean_speed_cm_s() < 5.0);
+    CHECK(worst_stretch(cloth, drape.places()) < 1.2);
+}
+
+TEST_CASE("vertices that meet fast or far from all others keep apart", "[drape]") {
+    // two sheets, one falling from above on one that is held, and a third so far away that cells must grow
+    core::FinishedLayer lower, upper, far;
+    lower.fitted = support::one_piece(sheet(60.0, 12.0), "lower");
+    upper.fitted = support::one_piece(sheet(75.0, 10.0), "upper");
+    far.fitted = support::one_piece(sheet(40000.0, 10.0), "far");
+    const QuadMesh all = core::joined_layers({lower, upper, far});
+    std::vector<bool> held(all.vertices.size(), false);
+    std::fill_n(held.begin(), lower.fitted.mesh.vertices.size(), true);
+    core::Drape drape(all, post(), {}, held);
+    for (int k = 0; k < 25; ++k) drape.step();
+    const std::size_t count = lower.fitted.mesh.vertices.size();
+    for (std::size_t v = count; v < 2 * count; ++v) CHECK(drape.places()[v].y > 60.0);
+}
+
 TEST_CASE("nothing to hang is no fault", "[drape]") {
     core::Drape drape({}, post(), {});
     drape.step();
