@@ -27,6 +27,7 @@ struct Config {
         std::string hand = "right";
         std::string languages_folder;
         bool attract = true;
+        std::string attract_drawings;  ///< folder; empty: those of the program
     } visitors;
     struct {
         double ask_s = 60, ask_garment_s = 180, countdown_s = 20, empty_s = 30, still_pen_s = 600;
