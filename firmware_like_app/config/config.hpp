@@ -28,6 +28,7 @@ struct Config {
         std::string languages_folder;
         bool attract = true;
         bool garment = true;
+        std::string attract_drawings;  ///< folder; empty: those of the program
     } visitors;
     struct {
         double ask_s = 60, ask_garment_s = 180, countdown_s = 20, empty_s = 30, still_pen_s = 600;

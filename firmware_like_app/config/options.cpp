@@ -75,6 +75,10 @@ std::vector<Option> make_options() {
                        Switch([](Config& c) -> bool& { return c.visitors.attract; })});
     o.push_back(Option{"visitors", "garment", "Whether visitors can draw garments on a figure.",
                        Switch([](Config& c) -> bool& { return c.visitors.garment; })});
+    o.push_back(Option{"visitors", "attract_drawings",
+                       "A folder of drawings that draw themselves in place of those that come with Croquis, such as "
+                       "traces\nof record.folder. Everybody sees them: take those whose makers agreed.",
+                       Text([](Config& c) -> std::string& { return c.visitors.attract_drawings; })});
 
     o.push_back(Option{
         "idle", "ask_s", "Without input, before \"Still there?\" is asked.", Number([](Config& c) -> double& {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <utility>
 
 #include "core/exchange/quickdraw_reader.hpp"
+#include "core/exchange/sketch_reader.hpp"
 #include "firmware_like_app/kiosk/placing.hpp"
 #include "ui/gl/embedded.hpp"
 
@@ -16,8 +18,23 @@ constexpr ui::PictureId kInk{1}, kForm{2};
 constexpr double kMargin = 0.08;
 constexpr double kDrift_px = 24;  // each way in an hour
 
+/// Nobody wants to see somebody think: no lift of the pen lasts longer than this.
+void shorten_lifts(core::Drawing& drawing) {
+    constexpr std::int64_t kLongest_us = 500'000;
+    std::int64_t cut_us = 0, before_us = 0;
+    bool first = true;
+    for (core::Stroke& stroke : drawing.strokes) {
+        if (stroke.samples.empty()) continue;
+        if (!first) cut_us += std::max<std::int64_t>(0, stroke.samples.front().time_us - before_us - kLongest_us);
+        first = false;
+        before_us = stroke.samples.back().time_us;
+        for (core::PenSample& s : stroke.samples) s.time_us -= cut_us;
+    }
+}
+
 /// Gives the samples times from 0 to `whole`, in proportion to their own, or evenly where those do not grow.
 void retime(core::Drawing& drawing, std::int64_t whole) {
+    shorten_lifts(drawing);
     std::int64_t first = 0, last = 0;
     std::size_t count = 0;
     for (const core::Stroke& stroke : drawing.strokes) {
@@ -38,6 +55,27 @@ void retime(core::Drawing& drawing, std::int64_t whole) {
     }
 }
 
+core::Result<std::vector<NamedDrawing>> drawings_of(const std::string& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (auto it = std::filesystem::directory_iterator(folder, error);
+         !error && it != std::filesystem::directory_iterator(); it.increment(error)) {
+        files.push_back(it->path());
+    }
+    std::sort(files.begin(), files.end());
+    std::vector<NamedDrawing> drawings;
+    for (const std::filesystem::path& file : files) {
+        core::Result<core::Sketch> sketch = core::read_sketch(file.string());
+        if (sketch && sketch->drawing && !sketch->drawing->empty())
+            drawings.push_back({file.stem().string(), std::move(*sketch->drawing)});
+    }
+    if (!drawings.empty()) return drawings;
+    return core::unexpected(core::ErrorCode::FileMissing,
+                            error ? "the folder of drawings to show cannot be read (" + error.message() + ")"
+                                  : "no file in the folder of drawings to show holds a drawing",
+                            folder);
+}
+
 double smooth(double t) {
     t = std::clamp(t, 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -45,7 +83,8 @@ double smooth(double t) {
 
 }  // namespace
 
-core::Result<std::vector<NamedDrawing>> attract_drawings() {
+core::Result<std::vector<NamedDrawing>> attract_drawings(const std::string& folder) {
+    if (!folder.empty()) return drawings_of(folder);
     std::vector<NamedDrawing> drawings;
     for (const ui::EmbeddedFile& file : ui::attract_files()) {
         core::Result<core::Drawing> drawing = core::parse_quickdraw_line(file.content);

@@ -16,8 +16,9 @@
 
 namespace app {
 
-/// The drawings of ui/screens/attract, in the order of their names.
-[[nodiscard]] core::Result<std::vector<NamedDrawing>> attract_drawings();
+/// The drawings of ui/screens/attract, or where a folder is named those of its files, in the order of their names.
+/// Files that hold no strokes are passed over. FileMissing when the folder cannot be read or holds no drawing at all.
+[[nodiscard]] core::Result<std::vector<NamedDrawing>> attract_drawings(const std::string& folder = {});
 
 class AttractPlayer {
   public:

@@ -23,6 +23,7 @@ constexpr std::int64_t kSlowFrame_us = 26'000;
 constexpr int kSlowEnough = 2;
 constexpr double kDraft = 0.5;
 constexpr double kDrawingMargin = 0.11;
+constexpr double kTagsApart_px = 38;  // of the design: a number on the drawing and its edge
 
 ui::PictureId wash_id(std::size_t i) {
     return ui::PictureId{kFirstWash + static_cast<int>(i)};
@@ -205,6 +206,10 @@ void DetailView::make_drawing(ui::Painter& painter) {
         }
     }
     for (std::size_t i = 0; i < wash_.size(); ++i) painter.set_picture(wash_id(i), &wash_[i].coverage);
+    std::vector<core::Point> places;
+    for (const ui::DetailTag& tag : drawing_tags_) places.push_back(tag.place);
+    ui::spread_tags(places, layout_.scale.px(kTagsApart_px));
+    for (std::size_t i = 0; i < places.size(); ++i) drawing_tags_[i].place = drawing_tags_[i].anchor = places[i];
 }
 
 void DetailView::make_similar(ui::Painter& painter) {

@@ -546,6 +546,7 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost&
     shell_options.language = find_options.language;
     shell_options.hand = options.hand;
     shell_options.attract = options.attract;
+    shell_options.attract_folder = options.config.visitors.attract_drawings;
     shell_options.pin = options.config.station.pin;
     shell_options.station.config = options.config;
     shell_options.station.config_file = options.config_file;

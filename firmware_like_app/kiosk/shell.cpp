@@ -34,7 +34,7 @@ core::Result<std::unique_ptr<Shell>> Shell::create(const ui::FontSet& fonts, con
                                                    ui::SizePx screen, std::int64_t now_us) {
     core::Result<ui::Painter> painter = ui::Painter::create(fonts);
     if (!painter) return core::unexpected(painter.error());
-    core::Result<std::vector<NamedDrawing>> drawings = attract_drawings();
+    core::Result<std::vector<NamedDrawing>> drawings = attract_drawings(options.attract_folder);
     if (!drawings) return core::unexpected(drawings.error());
     core::Result<std::unique_ptr<AttractPlayer>> attract = AttractPlayer::create(std::move(*drawings), searcher);
     if (!attract) return core::unexpected(attract.error());

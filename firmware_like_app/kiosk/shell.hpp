@@ -28,6 +28,7 @@ struct ShellOptions {
     std::size_t language = 0;  ///< of every new visitor
     ui::Hand hand = ui::Hand::Right;
     bool attract = true;               ///< false: home is the empty sheet
+    std::string attract_folder = {};   ///< see attract_drawings()
     std::string pin = "000000";        ///< of the station page
     OperatorDesk::Setup station = {};  ///< what the station page shows and changes
     GarmentMode* garment = nullptr;    ///< the other mode; null: there is none. It must outlive the shell.

@@ -57,6 +57,12 @@ double settled_mb() {
     return app::resident_mb();
 }
 
+/// What the program itself has asked for and not given back, without what the allocator and the driver keep.
+double in_use_mb() {
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks + info.hblkhd) / (1024.0 * 1024.0);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -81,7 +87,8 @@ int main(int argc, char** argv) {
             warm_handles = app::open_handles();
         }
         if ((i + 1) % 100 == 0) {
-            std::printf("%5d visitors: %.2f MB, %d handles\n", i + 1, settled_mb(), app::open_handles());
+            std::printf("%5d visitors: %.2f MB, %.2f MB of them in use, %d handles\n", i + 1, settled_mb(), in_use_mb(),
+                        app::open_handles());
             std::fflush(stdout);
         }
     }

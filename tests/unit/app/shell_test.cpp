@@ -343,3 +343,26 @@ TEST_CASE("a picture that is kept from frame to frame is right through all scene
     kiosk.wait(1);
     look();
 }
+
+TEST_CASE("attract shows the drawings of a folder, in their own rhythm without long lifts", "[shell]") {
+    const support::TemporaryFolder folder;
+    folder.write("notes.txt", "no drawing");
+    CHECK(app::attract_drawings(folder.path("")).has_value() == false);
+    CHECK(app::attract_drawings(folder.path("gone")).error().code == core::ErrorCode::FileMissing);
+    // a second of drawing, a minute of thinking, a second of drawing
+    folder.write("b.ndjson",
+                 R"({"drawing":[[[0,50,90],[0,30,0],[0,500,1000]],[[90,40,0],[10,60,10],[61000,61500,62000]]]})");
+    folder.write("a.ndjson", R"({"drawing":[[[0,80],[0,0],[0,1000]]]})");
+    const auto drawings = app::attract_drawings(folder.path(""));
+    REQUIRE(drawings.has_value());
+    REQUIRE(drawings->size() == 2);
+    CHECK((*drawings)[0].name == "a");
+
+    app::ShellOptions options;
+    options.attract_folder = folder.path("");
+    test::KioskStand kiosk(kSize, options);
+    kiosk.wait(9.0 + 2.6);  // the second drawing, 1 + 0.5 + 1 s long made 4 s: its second stroke begins at 2.4 s
+    const auto early = kiosk.picture().pixels;
+    kiosk.wait(0.8);  // and grows at 3.2 s
+    CHECK((kiosk.picture().pixels != early));
+}
