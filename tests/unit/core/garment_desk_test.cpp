@@ -79,6 +79,7 @@ TEST_CASE("four strokes make the front of a skirt, three more its back", "[garme
     DeskHand hand(desk);
     CHECK(waist(hand).changed);
     CHECK(desk.open_places().size() == 2);
+    desk.settings().closes_middle = false;
     CHECK(side(hand).changed);
     CHECK(hem(hand).changed);
     CHECK(regions_of(desk).empty());
