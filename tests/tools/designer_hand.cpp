@@ -1,8 +1,9 @@
 // A designer's hand that draws the worked designs through the Garment screen, stroke by stroke, and leaves what its pen
 // did as traces.
 //
-//     designer_hand OUT        OUT/garment-NAME/{input.trace, design.json} for dress, outfit and jacket; prints how far
-//                              each lies from the engine's worked design
+//     designer_hand OUT           OUT/garment-NAME/{input.trace, design.json} for dress, outfit and jacket; prints how
+//                                 far each lies from the engine's worked design
+//     designer_hand check FOLDER  plays FOLDER/garment-*/input.trace; fails where another design than design.json comes
 //
 // The screen has no plane but through what a stroke starts at, and a pen cannot change its view in the middle of a
 // line: where a worked design does, the hand goes on with a new line at the end of the last.
@@ -145,11 +146,51 @@ int draw(const std::string& name, const std::filesystem::path& out) {
     return 0;
 }
 
+/// Whether a trace gives the design that is kept beside it.
+bool plays(const std::filesystem::path& folder) {
+    const core::Result<input::Trace> trace = input::read_trace((folder / "input.trace").string());
+    if (!trace) {
+        std::printf("%s\n", trace.error().sentence().c_str());
+        return false;
+    }
+    const core::Result<app::GarmentReplay> replay = app::garment_replay(*trace, folder.filename().string());
+    const core::Result<core::Design> kept = core::read_design((folder / "design.json").string());
+    if (!replay || !kept) {
+        std::printf("%s\n", (replay ? kept.error() : replay.error()).sentence().c_str());
+        return false;
+    }
+    test::KioskStand kiosk(replay->start.screen);
+    kiosk.shell->open_sheet(kiosk.now_us);
+    kiosk.shell->open_garment(true, kiosk.now_us);
+    const std::int64_t start_us = kiosk.now_us;
+    for (ui::WindowEvent event : replay->events) {
+        event.time_us += start_us;
+        kiosk.shell->pointer(event);
+        kiosk.now_us = event.time_us;
+        kiosk.shell->update(kiosk.now_us);
+    }
+    const bool same = core::design_text(kiosk.garment->design()) == core::design_text(*kept);
+    std::printf("%s: %zu events, %zu steps: %s\n", folder.filename().c_str(), replay->events.size(), kept->steps.size(),
+                same ? "the same design" : "another design");
+    return same;
+}
+
+int check(const std::filesystem::path& all) {
+    int played = 0, failed = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(all)) {
+        if (entry.path().filename().string().rfind("garment-", 0) != 0) continue;
+        ++played;
+        failed += plays(entry.path()) ? 0 : 1;
+    }
+    return played > 0 && failed == 0 ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 3 && std::string(argv[1]) == "check") return check(argv[2]);
     if (argc != 2) {
-        std::fprintf(stderr, "usage: designer_hand OUT\n");
+        std::fprintf(stderr, "usage: designer_hand OUT | check FOLDER\n");
         return 2;
     }
     int failed = 0;

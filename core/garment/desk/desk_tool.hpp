@@ -46,7 +46,7 @@ struct DeskSettings {
     bool to_landmarks = true;      ///< ends of lines are put to landmarks that they are near
     bool joins_in_view = true;     ///< ends that the pen draws onto a vertex or line meet it, whatever their depth
     bool cuts_on_body = false;     ///< Cut, Hole: drawn offset_cm from the body; else on the piece itself
-    bool closes_middle = false;    ///< with mirror: an outline that is open in the middle alone gets its line there
+    bool closes_middle = true;     ///< with mirror: an outline that is open in the middle alone gets its line there
     bool closes_regions = true;    ///< outlines become pieces by themselves
     double alpha = kCoonsAlpha;    ///< of new pieces
 };

@@ -19,8 +19,8 @@ constexpr double kSpacing_cm = 1.25;  // at which the turn of a line is summed
 constexpr double kSteep = 0.6, kNear_rad = 0.7;
 constexpr std::size_t kMostTried = 5;  // lines at a vertex whose orders are all tried
 constexpr int kRounds = 4;
-constexpr std::size_t kMostPaired = 24;  // vertices of three lines that are tried two at a time
-constexpr double kFacing = 0.35;         // openings of the worked designs: 0.14 at most; their pieces: 0.7 at least
+constexpr double kFlat = 0.5;     // share of an edge across the way out from which it has a direction there
+constexpr double kFacing = 0.35;  // openings of the worked designs: 0.14 at most; their pieces: 0.7 at least
 
 /// Half of a line: it, walked from one of its ends.
 struct Half {
@@ -99,10 +99,62 @@ class FaceWalk {
         for (const int i : lines_) {
             corners_[static_cast<std::size_t>(line(i).from)].order.push_back({{i, false}, {}, 0.0});
             corners_[static_cast<std::size_t>(line(i).to)].order.push_back({{i, true}, {}, 0.0});
-            line_turn_[static_cast<std::size_t>(i)] = turn_along(line(i).shape);
             for (const SpaceLine& thread : threads_)
                 passes_[static_cast<std::size_t>(i)].push_back(passes_cone(thread, line(i).shape));
         }
+        sum_turns();
+    }
+
+    [[nodiscard]] std::size_t degree(int vertex) const {
+        return corners_[static_cast<std::size_t>(vertex)].order.size();
+    }
+
+    /// A line from where it leaves a vertex, and on through vertices that only two lines have: drawn as one.
+    struct Chain {
+        SpaceLine shape;
+        std::vector<int> lines;
+        bool closed = false;  ///< all its vertices are such
+    };
+    [[nodiscard]] Chain chain_from(Half half) const {
+        Chain chain;
+        for (const int first = half.line;;) {
+            SpaceLine shape = line(half.line).shape;
+            if (half.reversed) std::reverse(shape.begin(), shape.end());
+            chain.shape.insert(chain.shape.end(), shape.begin() + (chain.shape.empty() ? 0 : 1), shape.end());
+            chain.lines.push_back(half.line);
+            const int end = half.reversed ? line(half.line).from : line(half.line).to;
+            if (degree(end) != 2) return chain;
+            const std::vector<Leaving>& two = corners_[static_cast<std::size_t>(end)].order;
+            const bool came = two[0].half.line == half.line && two[0].half.reversed != half.reversed;
+            half = came ? two[1].half : two[0].half;
+            if (half.line == first) {
+                chain.closed = true;
+                return chain;
+            }
+        }
+    }
+
+    /// Turns of chains stand at their first lines.
+    void sum_turns() {
+        std::vector<bool> summed(net_.lines().size(), false);
+        const auto sum = [&](Half half) {
+            if (summed[static_cast<std::size_t>(half.line)]) return;
+            Chain chain = chain_from(half);
+            for (const int l : chain.lines) summed[static_cast<std::size_t>(l)] = true;
+            if (chain.closed) {  // and past where it begins
+                const SpaceLine begin(
+                    chain.shape.begin() + 1,
+                    chain.shape.begin() + std::min<std::ptrdiff_t>(4, static_cast<std::ptrdiff_t>(chain.shape.size())));
+                chain.shape.insert(chain.shape.end(), begin.begin(), begin.end());
+            }
+            const double turn = turn_along(chain.shape);
+            line_turn_[static_cast<std::size_t>(half.line)] = half.reversed ? -turn : turn;
+        };
+        for (const int l : lines_) {
+            if (degree(line(l).from) != 2) sum({l, false});
+            if (degree(line(l).to) != 2) sum({l, true});
+        }
+        for (const int l : lines_) sum({l, false});
     }
 
     /// The turn to the left between the ends of a line, about the way out.
@@ -110,12 +162,14 @@ class FaceWalk {
         const int edges = std::max(2, static_cast<int>(std::lround(line_length(shape) / kSpacing_cm)));
         const SpaceLine points = resampled(shape, edges);
         double sum = 0.0;
-        for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-            const Vec3 out = normalised(body_.sample(points[i]).gradient);
-            const Vec3 a = points[i] - points[i - 1], b = points[i + 1] - points[i];
-            const Vec3 in = a - out * dot(a, out), on = b - out * dot(b, out);
-            if (length(in) < 0.2 * length(a) || length(on) < 0.2 * length(b)) continue;
-            sum += std::atan2(dot(out, cross(in, on)), dot(in, on));
+        Vec3 last;  // the direction before, across the way out; what leads straight out or in has none
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            const Vec3 edge = points[i + 1] - points[i];
+            const Vec3 out = normalised(body_.sample(points[i] + edge * 0.5).gradient);
+            const Vec3 on = edge - out * dot(edge, out), in = last - out * dot(last, out);
+            if (length(on) < kFlat * length(edge)) continue;
+            if (length(in) > 0.0) sum += std::atan2(dot(out, cross(in, on)), dot(in, on));
+            last = normalised(on);
         }
         return sum;
     }
@@ -124,8 +178,7 @@ class FaceWalk {
     [[nodiscard]] Vec3 way_out(const Corner& corner, Vec3 place) const {
         Vec3 sum = normalised(body_.sample(place).gradient);
         for (const Leaving& leaving : corner.order) {
-            SpaceLine shape = line(leaving.half.line).shape;
-            if (leaving.half.reversed) std::reverse(shape.begin(), shape.end());
+            const SpaceLine shape = chain_from(leaving.half).shape;
             sum = sum +
                   normalised(body_.sample(place_along(shape, std::min(kReach_cm, 0.4 * line_length(shape)))).gradient);
         }
@@ -140,9 +193,12 @@ class FaceWalk {
         const Vec3 aside = std::abs(out.y) < 0.8 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
         const Vec3 right = normalised(cross(aside, out)), up = cross(out, right);
         for (Leaving& leaving : corner.order) {
-            SpaceLine shape = line(leaving.half.line).shape;
-            if (leaving.half.reversed) std::reverse(shape.begin(), shape.end());
-            leaving.way = normalised(place_along(shape, std::min(kReach_cm, 0.4 * line_length(shape))) - place);
+            const SpaceLine shape = chain_from(leaving.half).shape;
+            for (const double reach : {1.0, 1.6, 2.4}) {  // farther along a line that leaves straight out
+                leaving.way =
+                    normalised(place_along(shape, std::min(reach * kReach_cm, 0.4 * line_length(shape))) - place);
+                if (std::abs(dot(leaving.way, out)) < kSteep) break;
+            }
             leaving.angle = std::atan2(dot(leaving.way, up), dot(leaving.way, right));
             corner.weak = corner.weak || std::abs(dot(leaving.way, out)) > kSteep;
         }
@@ -193,11 +249,12 @@ class FaceWalk {
             sum += walk[k] % 2 == 0 ? along : -along;
             const int back = walk[k] ^ 1, next = walk[(k + 1) % walk.size()];
             const Corner& corner = corners_[static_cast<std::size_t>(start_of(next))];
+            if (corner.order.size() == 2) continue;  // within a chain
             const Leaving& in = corner.order[place_in_order_[static_cast<std::size_t>(back)]];
             const Leaving& on = corner.order[place_in_order_[static_cast<std::size_t>(next)]];
             double inner = in.angle - on.angle;
             if (inner <= 0.0) inner += 2.0 * kPi;
-            if (!corner.flat && corner.order.size() > 2) inner = std::acos(std::clamp(dot(in.way, on.way), -1.0, 1.0));
+            if (!corner.flat) inner = std::acos(std::clamp(dot(in.way, on.way), -1.0, 1.0));
             sum += kPi - inner;
         }
         return sum;
@@ -265,44 +322,63 @@ class FaceWalk {
             for (Corner& corner : corners_) {
                 if (!corner.weak || corner.order.size() < 3 || corner.order.size() > kMostTried) continue;
                 std::vector<Leaving> kept = corner.order;
-                std::vector<std::size_t> rest(kept.size() - 1);
-                for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = k + 1;
-                const std::vector<Leaving> first = kept;
-                do {
-                    for (std::size_t k = 0; k < rest.size(); ++k) corner.order[k + 1] = first[rest[k]];
-                    note_order(corner);
-                    corner.flat = corner.order.size() < 3 || is_turning(corner);
-                    if (const double now = merit(); now > best + 1e-9) best = now, kept = corner.order;
-                } while (std::next_permutation(rest.begin(), rest.end()));
-                corner.order = std::move(kept);
-                corner.flat = is_turning(corner);
-                note_order(corner);
+                for (const std::vector<Leaving>& order : orders_of(kept)) {
+                    set_order(corner, order);
+                    if (const double now = merit(); now > best + 1e-9) best = now, kept = order;
+                }
+                set_order(corner, kept);
             }
             if (best <= before + 1e-9 && !improve_two(best)) break;
         }
     }
 
-    /// Turns the order about two vertices at once: at both ends of lines that lie nearly on each other each alone would
-    /// make things worse.
+    /// Tries all orders about two vertices at once that a line joins: at the ends of lines that lie nearly on each
+    /// other one alone would make things worse.
     bool improve_two(double& best) {
-        std::vector<Corner*> three;
-        for (Corner& corner : corners_)
-            if (corner.weak && corner.order.size() == 3 && three.size() < kMostPaired) three.push_back(&corner);
-        const auto turn = [&](Corner& corner) {
-            std::swap(corner.order[1], corner.order[2]);
-            corner.flat = is_turning(corner);
-            note_order(corner);
-        };
-        for (std::size_t a = 0; a < three.size(); ++a)
-            for (std::size_t b = a + 1; b < three.size(); ++b) {
-                turn(*three[a]), turn(*three[b]);
-                if (const double now = merit(); now > best + 1e-9) {
-                    best = now;
-                    return true;
+        std::set<std::pair<int, int>> pairs;
+        for (const int l : lines_) {
+            const int a = std::min(line(l).from, line(l).to), b = std::max(line(l).from, line(l).to);
+            if (a != b && can_turn(a) && can_turn(b)) pairs.insert({a, b});
+        }
+        for (const auto& [a, b] : pairs) {
+            Corner &one = corners_[static_cast<std::size_t>(a)], &two = corners_[static_cast<std::size_t>(b)];
+            const std::vector<Leaving> one_kept = one.order, two_kept = two.order;
+            for (const std::vector<Leaving>& first : orders_of(one_kept))
+                for (const std::vector<Leaving>& second : orders_of(two_kept)) {
+                    set_order(one, first);
+                    set_order(two, second);
+                    if (const double now = merit(); now > best + 1e-9) {
+                        best = now;
+                        return true;
+                    }
                 }
-                turn(*three[a]), turn(*three[b]);
-            }
+            set_order(one, one_kept);
+            set_order(two, two_kept);
+        }
         return false;
+    }
+
+    [[nodiscard]] bool can_turn(int vertex) const {
+        const Corner& corner = corners_[static_cast<std::size_t>(vertex)];
+        return corner.weak && corner.order.size() > 2 && corner.order.size() < kMostTried;
+    }
+
+    /// All orders round a vertex, the first line kept.
+    [[nodiscard]] static std::vector<std::vector<Leaving>> orders_of(const std::vector<Leaving>& order) {
+        std::vector<std::size_t> rest(order.size() - 1);
+        for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = k + 1;
+        std::vector<std::vector<Leaving>> out;
+        do {
+            std::vector<Leaving>& one = out.emplace_back(order);
+            for (std::size_t k = 0; k < rest.size(); ++k) one[k + 1] = order[rest[k]];
+        } while (std::next_permutation(rest.begin(), rest.end()));
+        return out;
+    }
+
+    void set_order(Corner& corner, const std::vector<Leaving>& order) {
+        corner.order = order;
+        corner.flat = is_turning(corner);
+        note_order(corner);
     }
 
     const Network& net_;

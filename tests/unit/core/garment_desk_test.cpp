@@ -79,6 +79,7 @@ TEST_CASE("four strokes make the front of a skirt, three more its back", "[garme
     DeskHand hand(desk);
     CHECK(waist(hand).changed);
     CHECK(desk.open_places().size() == 2);
+    desk.settings().closes_middle = false;
     CHECK(side(hand).changed);
     CHECK(hem(hand).changed);
     CHECK(regions_of(desk).empty());
@@ -418,10 +419,10 @@ TEST_CASE("cloth from a worker is taken when it is newest and asked for once", "
     REQUIRE(desk.set_alpha("front", -0.05).changed);
     const auto second = desk.build_request();
     REQUIRE(second);
-    core::BuildResult late = core::build(*first, {});
+    const core::BuildResult late = core::build(*first, {});
     CHECK(desk.accept(core::build(*second, {})));
     CHECK(desk.cloth_is_current());
-    CHECK_FALSE(desk.accept(std::move(late)));
+    CHECK_FALSE(desk.accept(late));
     std::stop_source stopped;
     stopped.request_stop();
     REQUIRE(desk.set_alpha("front", 0.0).changed);
