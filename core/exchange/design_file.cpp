@@ -17,6 +17,7 @@ using Kind = DesignStep::Kind;
 using ToolKind = DrawingTool::Kind;
 
 constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
+constexpr auto kReplace = Json::error_handler_t::replace;  // names may come from anywhere: what is no UTF-8
 constexpr const char* kFormat = "croquis-garment";
 
 constexpr std::array<std::pair<Kind, const char*>, 25> kSteps{
@@ -367,6 +368,10 @@ Design design_from(const Json& document) {
     return design;
 }
 
+std::string line_of(const Json& json) {
+    return json.dump(-1, ' ', false, kReplace);
+}
+
 }  // namespace
 
 Result<Design> parse_design(std::string_view text_of_file) {
@@ -403,7 +408,7 @@ Result<DesignStep> parse_step(std::string_view text_of_step) {
 }
 
 std::string step_text(const DesignStep& step) {
-    return step_to(step).dump();
+    return line_of(step_to(step));
 }
 
 Result<Design> read_design(const std::string& path) {
@@ -424,11 +429,11 @@ std::string design_text(const Design& design) {
                         {"snap_cm", design.network.snap_cm},
                         {"clearance_cm", design.fitting.clearance_cm},
                         {"fairing", design.fitting.fairing == Fairing::Particles ? "particles" : "optimised"}};
-    std::string text = document.dump(1, ' ');
+    std::string text = document.dump(1, ' ', false, kReplace);
     text.resize(text.size() - 2);  // the closing bracket: the steps come before it, a line each
     text += ",\n \"steps\": [";
     for (std::size_t i = 0; i < design.steps.size(); ++i)
-        text += (i == 0 ? "\n  " : ",\n  ") + step_to(design.steps[i]).dump();
+        text += (i == 0 ? "\n  " : ",\n  ") + line_of(step_to(design.steps[i]));
     return text + "\n ]\n}\n";
 }
 

@@ -91,7 +91,9 @@ void DesignJournal::run() {
         work_.wait_for(lock, options_.retry, [this] { return ending_; });
     }
     // all of it is stored already: where this fails, the next end tries again
-    if (store_ && stored_entries_ >= options_.compact_after) static_cast<void>(store_->compact(design_id_));
+    if (!store_) return;
+    const core::Result<std::int64_t> length = store_->entries_since_snapshot(design_id_);
+    if (length && *length >= options_.compact_after) static_cast<void>(store_->compact(design_id_));
 }
 
 /// What could not be stored waits before what came since; unless that is the whole design. Called under the lock.
@@ -121,7 +123,6 @@ core::Result<void> DesignJournal::store(Batch& batch) {
     }
     if (!batch.entries.empty()) {
         if (core::Result<void> done = store_->append(design_id_, batch.first, batch.entries); !done) return done;
-        stored_entries_ += batch.last - batch.first + 1;
         batch.entries.clear();
         acknowledged_.store(batch.last, std::memory_order_release);
     }

@@ -25,7 +25,7 @@ namespace db {
 struct DesignJournalOptions {
     std::size_t most_waiting = 4096;             ///< entries
     std::chrono::milliseconds retry{1000};       ///< after the disk refused
-    std::int64_t compact_after = 200;            ///< entries of the journal, when it ends
+    std::int64_t compact_after = 200;            ///< entries since the snapshot, when the journal ends
     std::chrono::milliseconds last_words{3000};  ///< how long the destructor waits for a disk that refuses
     DesignStoreOptions store = {};
 };
@@ -84,7 +84,6 @@ class DesignJournal {
     std::optional<core::Error> fault_;
 
     std::optional<DesignStore> store_;  // of the thread
-    std::int64_t stored_entries_ = 0;   // of the thread, since it began
     std::thread thread_;                // last: starts when all else is there
 };
 

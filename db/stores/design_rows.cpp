@@ -274,6 +274,30 @@ core::Result<void> insert_entries(const Database& database, std::int64_t id, std
     return {};
 }
 
+core::Result<std::optional<std::size_t>> stored_already(const Database& database, std::int64_t id, std::int64_t first,
+                                                        std::span<const JournalEntry> entries) {
+    core::Result<Statement> rows = database.prepare(
+        "SELECT sequence, kind, payload FROM journal WHERE design_id = ? AND sequence >= ? ORDER BY sequence");
+    if (!rows) return core::unexpected(rows.error());
+    rows->bind(id).bind(first);
+    for (std::size_t n = 0;; ++n) {
+        const core::Result<bool> row = rows->step();
+        if (!row) return core::unexpected(row.error());
+        if (!*row) return std::optional(n);
+        const bool same = n < entries.size() && rows->integer(0) == first + static_cast<std::int64_t>(n) &&
+                          rows->integer(1) == static_cast<std::int64_t>(entries[n].kind) &&
+                          rows->text(2) == payload_text(entries[n]);
+        if (!same) return std::optional<std::size_t>();
+    }
+}
+
+core::Result<std::int64_t> journal_length(const Database& database, std::int64_t id) {
+    return number(database,
+                  "SELECT count(*) FROM journal WHERE design_id = ?1 AND sequence > "
+                  "(SELECT ifnull(max(sequence), 0) FROM snapshot WHERE design_id = ?1)",
+                  id);
+}
+
 core::Result<std::int64_t> last_design_sequence(const Database& database, std::int64_t id) {
     return number(database,
                   "SELECT max((SELECT ifnull(max(sequence), 0) FROM journal WHERE design_id = ?1), "

@@ -29,6 +29,12 @@ inline constexpr const char* kDesignRow =
                                                  const DesignState& state);
 [[nodiscard]] core::Result<void> insert_entries(const Database& database, std::int64_t id, std::int64_t first,
                                                 std::span<const JournalEntry> entries);
+/// How many of these entries, numbered from `first`, are stored already, the same; nothing where others stand there.
+[[nodiscard]] core::Result<std::optional<std::size_t>> stored_already(const Database& database, std::int64_t id,
+                                                                      std::int64_t first,
+                                                                      std::span<const JournalEntry> entries);
+/// Entries after the newest snapshot.
+[[nodiscard]] core::Result<std::int64_t> journal_length(const Database& database, std::int64_t id);
 /// Of the newest entry or snapshot, 0 where there is none.
 [[nodiscard]] core::Result<std::int64_t> last_design_sequence(const Database& database, std::int64_t id);
 /// All but the two newest snapshots go, and what of the journal the older of these already has.

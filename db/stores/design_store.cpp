@@ -29,6 +29,11 @@ auto together(const Database& database, Transaction::Kind kind, Work work) -> de
     return result;
 }
 
+core::Error drawn_by_others(const std::string& where) {
+    return {core::ErrorCode::BadArgument,
+            "another program draws on the same design; end it, then open the design again", where};
+}
+
 core::Error named(const core::Error& error, const std::string& design, const std::string& where) {
     return {error.code, "\"" + design + "\": " + error.message, where};
 }
@@ -85,7 +90,10 @@ core::Result<OpenedDesign> DesignStore::load(std::int64_t id) const {
         if (!row) return core::unexpected(row.error());
         core::Result<OpenedDesign> opened = read_design_rows(database_, id, row->entry.name);
         if (!opened) return core::unexpected(named(opened.error(), row->entry.name, database_.where()));
-        if (!row->sound) opened->faults.emplace_back("its name and dates are damaged");
+        if (row->sound)
+            opened->state.design.name = row->entry.name;  // it may have got another name without being opened
+        else
+            opened->faults.emplace_back("its name and dates are damaged");
         return opened;
     });
 }
@@ -122,33 +130,33 @@ core::Result<void> DesignStore::append(std::int64_t id, std::int64_t first, std:
     return together(database_, Transaction::Kind::Write, [&]() -> core::Result<void> {
         const core::Result<std::int64_t> last = last_design_sequence(database_, id);
         if (!last) return core::unexpected(last.error());
-        if (first != *last + 1)
-            return core::unexpected(core::ErrorCode::BadArgument,
-                                    "another program draws on the same design; end it, then open the design again",
-                                    database_.where());
+        const core::Result<std::optional<std::size_t>> stored = stored_already(database_, id, first, entries);
+        if (!stored) return core::unexpected(stored.error());
+        const auto done = static_cast<std::int64_t>(stored->value_or(0));
+        if (!*stored || first + done != *last + 1) return core::unexpected(drawn_by_others(database_.where()));
+        const std::span<const JournalEntry> rest = entries.subspan(**stored);
+        if (rest.empty()) return {};
         std::optional<std::string> name;
-        for (const JournalEntry& entry : entries)
+        for (const JournalEntry& entry : rest)
             if (entry.kind == JournalEntry::Kind::Rename) name = entry.name;
         if (core::Result<void> touched = touch(id, name); !touched) return touched;
-        return insert_entries(database_, id, first, entries);
+        return insert_entries(database_, id, first + done, rest);
     });
 }
 
 core::Result<void> DesignStore::rename(std::int64_t id, const std::string& name) {
-    const core::Result<std::int64_t> last = last_design_sequence(database_, id);
-    if (!last) return core::unexpected(last.error());
-    const JournalEntry entry{.kind = JournalEntry::Kind::Rename, .name = name};
-    return append(id, *last + 1, std::span(&entry, 1));
+    return together(database_, Transaction::Kind::Write, [&] { return touch(id, name); });
+}
+
+core::Result<std::int64_t> DesignStore::entries_since_snapshot(std::int64_t id) const {
+    return journal_length(database_, id);
 }
 
 core::Result<void> DesignStore::keep(std::int64_t id, const DesignState& state, std::int64_t sequence) {
     return together(database_, Transaction::Kind::Write, [&]() -> core::Result<void> {
         const core::Result<std::int64_t> last = last_design_sequence(database_, id);
         if (!last) return core::unexpected(last.error());
-        if (sequence < *last)
-            return core::unexpected(core::ErrorCode::BadArgument,
-                                    "another program draws on the same design; end it, then open the design again",
-                                    database_.where());
+        if (sequence < *last) return core::unexpected(drawn_by_others(database_.where()));
         if (core::Result<void> done = touch(id, state.design.name); !done) return done;
         if (core::Result<void> done = insert_snapshot(database_, id, sequence, state); !done) return done;
         return shorten_journal(database_, id);

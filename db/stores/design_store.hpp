@@ -86,13 +86,16 @@ class DesignStore {
     /// Ends one design for good, from either shelf.
     [[nodiscard]] core::Result<void> erase(std::int64_t id);
 
-    /// Stores entries numbered from `first` on, all of them or none; durable when it returns. BadArgument when `first`
-    /// does not follow the last entry: another program draws on the same design.
+    /// Stores entries numbered from `first` on, all of them or none; durable when it returns. Those that are stored
+    /// already, because an earlier call said that it failed after it had not, stay as they are. BadArgument when others
+    /// stand at their numbers, or `first` does not follow the last entry: another program draws on the same design.
     [[nodiscard]] core::Result<void> append(std::int64_t id, std::int64_t first, std::span<const JournalEntry> entries);
     /// Stores the whole design as it is after entry `sequence`, and forgets what of the journal is no longer needed; in
     /// one transaction.
     [[nodiscard]] core::Result<void> keep(std::int64_t id, const DesignState& state, std::int64_t sequence);
-    /// The same for what is stored. Damaged, and nothing changes, where something of it cannot be read.
+    /// How many entries load has to take after the snapshot.
+    [[nodiscard]] core::Result<std::int64_t> entries_since_snapshot(std::int64_t id) const;
+    /// The same as keep for what is stored. Damaged, and nothing changes, where something of it cannot be read.
     [[nodiscard]] core::Result<void> compact(std::int64_t id);
 
     /// BadArgument for what is no PNG.

@@ -1,12 +1,14 @@
 #include "firmware_like_app/garment/safe_folder.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -101,11 +103,22 @@ std::optional<ExportFault> look_for_room(const fs::path& folder, std::span<const
                  folder);
 }
 
+/// `process`: number of the program that made an unfinished folder.
+bool is_written_by_another(const std::string& process) {
+    pid_t id = 0;
+    const auto [end, failed] = std::from_chars(process.data(), process.data() + process.size(), id);
+    if (failed != std::errc() || end != process.data() + process.size() || id <= 0 || id == getpid()) return false;
+    return kill(id, 0) == 0 || errno == EPERM;
+}
+
 /// What a stick that was pulled out in the middle kept.
 void clear_unfinished(const fs::path& place) {
     std::error_code ignored;
-    for (fs::directory_iterator it(place, ignored), end; !ignored && it != end; it.increment(ignored))
-        if (it->path().filename().string().starts_with(kUnfinished)) fs::remove_all(it->path(), ignored);
+    for (fs::directory_iterator it(place, ignored), end; !ignored && it != end; it.increment(ignored)) {
+        const std::string name = it->path().filename().string();
+        if (name.starts_with(kUnfinished) && !is_written_by_another(name.substr(kUnfinished.size())))
+            fs::remove_all(it->path(), ignored);
+    }
 }
 
 /// 0, or errno. `name`: the destination must not exist; then EEXIST, and nothing happens.
@@ -127,7 +140,12 @@ class Writer {
     }
 
     FolderReport write(const std::string& name) {
-        if (!is_still_there(place_)) return {{}, fault_of(ENOENT, place_.path)};
+        if (!is_still_there(place_))
+            return {{},
+                    place_.device != 0
+                        ? fault_of(ENOENT, place_.path)
+                        : fault(Kind::NoPlace, core::ErrorCode::FileMissing,
+                                "there is no such folder; make it first, or name another one", place_.path)};
         if (place_.read_only) return {{}, fault_of(EROFS, place_.path)};
         clear_unfinished(place_.path);
         if (std::optional<ExportFault> full = look_for_room(place_.path, files_)) return {{}, std::move(full)};
@@ -178,6 +196,7 @@ class Writer {
             const int error = rename_to_new(unfinished_, to);
             if (error == EEXIST || error == ENOTEMPTY) continue;
             if (error != 0) return fault_of(error, to);
+            unfinished_ = to;  // what goes if it does not reach the disk
             if (const int failed = flush_folder(place_.path)) return fault_of(failed, place_.path);
             if (!is_still_there(place_)) return fault_of(ENODEV, place_.path);
             folder = to;

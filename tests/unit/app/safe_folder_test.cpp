@@ -97,14 +97,19 @@ TEST_CASE("an export that is stopped leaves nothing", "[safe_folder]") {
 
 TEST_CASE("what a pulled stick kept goes with the next export", "[safe_folder]") {
     const support::TemporaryFolder folder;
-    fs::create_directories(folder.path(".croquis-unfinished-77/below"));
+    const std::string alive = ".croquis-unfinished-" + std::to_string(getppid());  // of a program that still writes it
+    fs::create_directories(folder.path(".croquis-unfinished-999999999/below"));
+    fs::create_directories(folder.path(".croquis-unfinished-" + std::to_string(getpid())));
+    fs::create_directories(folder.path(".croquis-unfinished-x"));
+    fs::create_directories(folder.path(alive));
     CHECK_FALSE(app::write_new_folder(app::folder_place(folder.path("")), "Dress", kFiles).fault);
-    CHECK(names_in(folder.path("")) == std::set<std::string>{"Dress"});
+    CHECK(names_in(folder.path("")) == std::set<std::string>{"Dress", alive});
 }
 
 TEST_CASE("a place that is not there, another disk than it was, one that may only be read", "[safe_folder]") {
     const support::TemporaryFolder folder;
-    CHECK(app::write_new_folder({folder.path("none"), "", false, 0}, "A", kFiles).fault->kind == Kind::Gone);
+    CHECK(app::write_new_folder(app::folder_place(folder.path("none")), "A", kFiles).fault->kind == Kind::NoPlace);
+    CHECK(app::write_new_folder({folder.path("none"), "", false, 5}, "A", kFiles).fault->kind == Kind::Gone);
     app::ExportPlace place = app::folder_place(folder.path(""));
     place.device += 1;  // the stick was pulled out: its folder is one of the system's disk
     CHECK(app::write_new_folder(place, "A", kFiles).fault->kind == Kind::Gone);

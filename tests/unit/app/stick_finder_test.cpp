@@ -65,7 +65,6 @@ TEST_CASE("sticks are what is mounted and can be pulled out", "[stick_finder]") 
 TEST_CASE("where nothing can be read there are no sticks", "[stick_finder]") {
     const support::TemporaryFolder folder;
     CHECK(app::find_sticks({folder.path("none"), folder.path("none")}).empty());
-    for (const app::ExportPlace& place : app::find_sticks()) CHECK(place.path.is_absolute());
     CHECK(app::folder_place(folder.path("none")).device == 0);
     CHECK(app::folder_place(folder.path("")).device != 0);
 }

@@ -156,13 +156,55 @@ TEST_CASE("two that draw on the same design do not mix", "[design_store]") {
     const std::int64_t id = value(desk.store.create(small_design("A", 0)));
     const JournalEntry entry = fixture::step_entry(1);
     fixture::ok(desk.store.append(id, 1, std::span(&entry, 1)));
-    const core::Result<void> again = desk.store.append(id, 1, std::span(&entry, 1));
-    REQUIRE_FALSE(again);
-    CHECK(again.error().code == ErrorCode::BadArgument);
+    const JournalEntry other = fixture::step_entry(2);
+    const core::Result<void> refused = desk.store.append(id, 1, std::span(&other, 1));
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().code == ErrorCode::BadArgument);
     CHECK_FALSE(desk.store.append(id, 3, std::span(&entry, 1)));
     CHECK_FALSE(desk.store.keep(id, {}, 0));
     CHECK_FALSE(desk.store.append(id + 1, 1, std::span(&entry, 1)));
     CHECK(value(desk.store.load(id)).state.design.steps.size() == 1);
+}
+
+TEST_CASE("entries that were stored although it was said that they were not are stored once", "[design_store]") {
+    const TemporaryFolder folder;
+    Desk desk(folder);
+    const std::int64_t id = value(desk.store.create(small_design("A", 0)));
+    const std::vector<JournalEntry> entries{fixture::step_entry(1), fixture::step_entry(2), fixture::step_entry(3)};
+    fixture::ok(desk.store.append(id, 1, std::span(entries).first(2)));
+    fixture::ok(desk.store.append(id, 1, std::span(entries).first(2)));
+    fixture::ok(desk.store.append(id, 1, entries));
+    CHECK_FALSE(desk.store.append(id, 1, std::span(entries).first(2)));  // a third stands behind them by now
+    CHECK(value(desk.store.load(id)).sequence == 3);
+    CHECK(value(desk.store.entries_since_snapshot(id)) == 3);
+    CHECK(value(desk.store.check()).empty());
+}
+
+TEST_CASE("a name that is no UTF-8 is stored with signs in place of what is none", "[design_store]") {
+    const TemporaryFolder folder;
+    Desk desk(folder);
+    core::Design design = small_design("A\xff", 1);
+    design.steps[0].name = "line \xc3";
+    const std::int64_t id = value(desk.store.create(design));
+    JournalEntry entry = fixture::step_entry(1);
+    entry.steps[0].name = "\xfe";
+    fixture::ok(desk.store.append(id, 1, std::span(&entry, 1)));
+    const db::OpenedDesign opened = value(desk.store.load(id));
+    CHECK(opened.faults.empty());
+    REQUIRE(opened.state.design.steps.size() == 2);
+    CHECK(opened.state.design.steps[0].name == "line \xef\xbf\xbd");
+}
+
+TEST_CASE("a new name does not come between a drawing and its journal", "[design_store]") {
+    const TemporaryFolder folder;
+    Desk desk(folder);
+    const std::int64_t id = value(desk.store.create(small_design("A", 0)));
+    fixture::ok(desk.store.rename(id, "B"));
+    const JournalEntry entry = fixture::step_entry(1);
+    fixture::ok(desk.store.append(id, 1, std::span(&entry, 1)));
+    CHECK(value(desk.store.load(id)).state.design.name == "B");
+    fixture::ok(desk.store.compact(id));
+    CHECK(value(desk.store.load(id)).state.design.name == "B");
 }
 
 TEST_CASE("what can be read of a damaged design is read, and what was left out is said", "[design_store]") {
