@@ -36,10 +36,15 @@ void lay_out_wide(DetailLayout& l) {
     l.board = {l.hand == Hand::Right ? 0.0 : s.width() - board, 0, board, height};
     l.sheet = {l.hand == Hand::Right ? board : 0.0, 0, s.width() - board, height};
     l.back = place.at(40, 36, 232, 64);
+    // where there is height to spare, the board's things stand apart from the button, which never shrinks below a
+    // finger
+    const double down = std::round(std::clamp((height - s.px(1080)) * 0.4, 0.0, s.px(48)));
     l.drawing = place.at(40, 172, 512, 436);
-    l.your_drawing_y = s.px(158);
-    l.also_close_y = s.px(658);
-    const Rect block = place.at(40, 672, 512, 360);
+    l.drawing.y += down;
+    l.your_drawing_y = s.px(158) + down;
+    l.also_close_y = s.px(658) + down;
+    Rect block = place.at(40, 672, 512, 360);
+    block.y += down;
     for (std::size_t i = 0; i < kSimilarCount; ++i) {
         l.similar[i] = {block.x + s.px(176.0 * static_cast<double>(i % 3)), block.y + s.px(188.0 * row_of(i)),
                         s.px(160), s.px(172)};
