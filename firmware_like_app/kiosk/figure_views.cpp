@@ -1,6 +1,7 @@
 #include "firmware_like_app/kiosk/figure_views.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -8,6 +9,8 @@ namespace app {
 namespace {
 
 constexpr double kMostZoom = 8;
+constexpr double kSlow_ms = 14;   // of a picture: more than a frame has
+constexpr int kSlowPictures = 2;  // in a row, before drafts are drawn
 constexpr double kMostElevation = 1.2;
 constexpr double kDefaultAzimuth = 0.5, kDefaultElevation = 0.1;
 constexpr double kHeadRoom_cm = 2;
@@ -31,13 +34,17 @@ core::Result<FigureViews> FigureViews::create() {
 }
 
 FigureViews::FigureViews(ui::FigureStage stage)
-    : stage_(std::move(stage)), large_(ui::FigureStage::make_target({1, 1})) {
+    : stage_(std::move(stage)),
+      large_(ui::FigureStage::make_target({1, 1})),
+      draft_(ui::FigureStage::make_target({1, 1})) {
     for (int i = 0; i < ui::kGarmentTiles; ++i) small_.push_back(ui::FigureStage::make_target({1, 1}));
 }
 
 void FigureViews::lay_out(const ui::GarmentLayout& layout, ui::Painter& painter) {
     layout_ = layout;
     large_ = ui::FigureStage::make_target(whole(layout.sheet));
+    draft_ = ui::FigureStage::make_target(whole({0, 0, layout.sheet.width / 2, layout.sheet.height / 2}));
+    drawn_draft_ = false;
     painter.set_picture(kFigure, &large_.texture());
     for (std::size_t i = 0; i < small_.size(); ++i) {
         small_[i] = ui::FigureStage::make_target(whole(layout.tile_pictures[i]));
@@ -78,6 +85,7 @@ void FigureViews::upload_layer(std::size_t i) {
 
 void FigureViews::set_places(int layer, const std::vector<core::Vec3>* places) {
     const int before = live_layer_;
+    if (places == nullptr && before < 0) return;  // nothing moved, nothing is put back
     live_layer_ = places != nullptr ? layer : -1;
     if (places != nullptr) live_ = *places;
     for (std::size_t i = 0; i < dress_.layers.size(); ++i) {
@@ -90,6 +98,11 @@ void FigureViews::set_quads(bool quads) {
     if (quads == quads_) return;
     quads_ = quads;
     large_due_ = true;
+}
+
+void FigureViews::set_moving(bool moving) {
+    moving_ = moving;
+    if (!moving && drawn_draft_) large_due_ = true;
 }
 
 void FigureViews::set_own_fabric(const std::string& name, const core::RgbaImage& picture) {
@@ -171,6 +184,8 @@ void FigureViews::zoom(double doublings, core::Point about_px) {
 
 void FigureViews::reset_cameras() {
     places_ = {};
+    tiles_ = {ui::GarmentView::Front, ui::GarmentView::Side, ui::GarmentView::Back, ui::GarmentView::Solid};
+    tile_due_.fill(true);
     azimuth_ = kDefaultAzimuth;
     elevation_ = kDefaultElevation;
     aim();
@@ -212,7 +227,18 @@ ui::FigureStage::Look FigureViews::look(bool quads) const {
 void FigureViews::draw_large() {
     ui::FigureCamera camera = camera_;
     camera.centre_px = camera.centre_px - core::Point{layout_.sheet.x, layout_.sheet.y};
-    stage_.draw(camera, look(quads_), large_);
+    drawn_draft_ = moving_ && slow_pictures_ >= kSlowPictures;
+    if (drawn_draft_) {
+        camera.scale_px /= 2;
+        camera.centre_px = camera.centre_px * 0.5;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    stage_.draw(camera, look(quads_), drawn_draft_ ? draft_ : large_);
+    if (moving_ && !drawn_draft_) {
+        ui::finish();
+        const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        slow_pictures_ = ms > kSlow_ms ? slow_pictures_ + 1 : 0;
+    }
     large_due_ = false;
     ++revision_;
 }

@@ -43,6 +43,12 @@ class FigureViews {
         return layer == live_layer_ ? &live_ : nullptr;
     }
     void set_quads(bool quads);
+    /// While something moves and pictures take long: a quarter of the pixels. The picture is drawn whole when it ends.
+    void set_moving(bool moving);
+    /// The large picture, as it was drawn last.
+    [[nodiscard]] const ui::Texture& figure_texture() const {
+        return drawn_draft_ ? draft_.texture() : large_.texture();
+    }
     void set_own_fabric(const std::string& name, const core::RgbaImage& picture);
 
     void show(ui::GarmentView view);
@@ -100,7 +106,7 @@ class FigureViews {
     void fill_depth();
 
     ui::FigureStage stage_;
-    ui::Target large_;
+    ui::Target large_, draft_;
     std::vector<ui::Target> small_;
     ui::GarmentLayout layout_;
     FigureDress dress_;
@@ -108,7 +114,8 @@ class FigureViews {
     int live_layer_ = -1;
     std::vector<core::Vec3> live_;
     double height_cm_ = 170;
-    bool quads_ = false;
+    bool quads_ = false, moving_ = false, drawn_draft_ = false;
+    int slow_pictures_ = 0;
 
     ui::GarmentView view_ = ui::GarmentView::Front;
     std::array<ui::GarmentView, ui::kGarmentTiles> tiles_{ui::GarmentView::Front, ui::GarmentView::Side,

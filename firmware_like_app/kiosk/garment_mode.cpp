@@ -621,7 +621,8 @@ void GarmentMode::update(std::int64_t now_us) {
 int GarmentMode::update_ink() {
     if (!desk_) return 0;
     follow_live();
-    (void)views_.draw();
+    views_.set_moving(options_.every_frame_seen && hold_ != Hold::None && hold_ != Hold::Board);
+    if (views_.draw()) painter_.set_picture(FigureViews::kFigure, &views_.figure_texture());
     project();
     return 0;
 }
@@ -633,7 +634,9 @@ void GarmentMode::settle(std::int64_t now_us) {
     builder_.wait();
     update(now_us);
     follow_live();
+    views_.set_moving(false);
     views_.draw_all();
+    painter_.set_picture(FigureViews::kFigure, &views_.figure_texture());
     project();
 }
 
@@ -719,6 +722,8 @@ void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
         desk_.reset();
         prepare();
         views_.set_dress({});
+    } else if (desk_) {
+        show_cloth();  // the body, where the last visitor hid it
     }
     set_hand(hand);
     shown_.reset();

@@ -218,9 +218,8 @@ void Shell::follow_mode_wishes(std::int64_t now_us) {
 
 /// The board's outer corner, where nothing else can be touched for long.
 ui::Rect Shell::corner() const {
-    const ui::FindLayout& layout = find_.layout();
-    const double side = std::max(64.0, layout.px(kCorner_px));
-    const bool at_right = layout.hand == ui::Hand::Left && layout.sheet.y == 0;
+    const double side = std::max(64.0, find_.layout().px(kCorner_px));
+    const bool at_right = mode().hand() == ui::Hand::Left && find_.layout().sheet.y == 0;
     return {at_right ? screen_.width - side : 0.0, 0, side, side};
 }
 

@@ -91,10 +91,10 @@ std::vector<NamedScene> garment_scenes() {
               [](KioskStand& k) {
                   GarmentHand hand(k);
                   hand.enter();
-                  hand.draw({{2, 106}, {6, 106}, {10, 106.3}});
-                  hand.draw({{10, 106.3}, {13, 96}, {14, 86}});
-                  hand.draw({{14, 86}, {8, 85}, {2, 85}});
-                  hand.draw({{2, 85}, {1.6, 92}, {2, 101}});
+                  hand.draw({{5, 106}, {8, 106}, {11, 106.3}});
+                  hand.draw({{11, 106.3}, {13, 96}, {14, 86}});
+                  hand.draw({{14, 86}, {9, 85}, {5, 85}});
+                  hand.draw({{5, 85}, {4.8, 92}, {5, 101}});
               }),
         scene("garment-measure",
               [](KioskStand& k) {

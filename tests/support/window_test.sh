@@ -134,14 +134,14 @@ ink=$(convert "$folder/cleared.png" -crop 20x30+750+325 +repage -colorspace Gray
 ls "$folder"/drawings/drawing-*.trace >/dev/null 2>&1 || fail "the drawing was not kept"
 
 # To Garment with the pointer: the figure stands on the sheet. An outline drawn round the hips on it becomes cloth.
-click 400 52
+click 337 52
 for _ in $(seq 60); do
     shot figure
-    [ "$(mean "$folder/figure.png" 30x30+873+380)" -le 225 ] && break
+    [ "$(mean "$folder/figure.png" 30x30+873+190)" -le 240 ] && break
     sleep 0.5
 done
-figure=$(mean "$folder/figure.png" 30x30+873+380)
-[ "$figure" -le 225 ] || fail "no figure on the sheet after a tap on Garment (mean $figure)"
+figure=$(mean "$folder/figure.png" 30x30+873+190)
+[ "$figure" -le 240 ] || fail "no figure on the sheet after a tap on Garment (mean $figure)"
 sleep 1
 draw 906 330 914 331 922 333 930 335 934 350 938 370 941 390 943 405 930 407 918 408 906 408 906 390 906 370 906 350 \
      906 332

@@ -68,7 +68,11 @@ class Drawer {
                       f.chosen ? std::max(3.0, l_.px(3)) : 1);
             const Rect inner = r.shrunk(l_.px(7));
             const double label = l_.px(34);
-            list_.picture(f.picture, {inner.x, inner.y, inner.width, inner.height - label});
+            PictureCommand cut;  // as wide as the card; a low one shows less of the tile
+            cut.picture = f.picture;
+            cut.rect = {inner.x, inner.y, inner.width, inner.height - label};
+            cut.source = {0, 0, 1, cut.rect.height / cut.rect.width};
+            list_.commands.emplace_back(cut);
             draw_fitted(list_, fonts_, f.name, type_.caption, palette::kInk, r.centre_x(), r.bottom() - l_.px(15),
                         r.width - l_.px(12), Align::Centre);
         }

@@ -9,7 +9,7 @@
 namespace ui {
 namespace {
 
-constexpr std::size_t kPerAction = 256;
+constexpr std::size_t kPerAction = 65536;
 const Rect kEverywhere{0, 0, 1e6, 1e6};
 
 struct ToolFace {
