@@ -173,7 +173,8 @@ void place_drawer(GarmentLayout& out, double margin, double top, double foot, do
     const double wide = std::round((width - (columns - 1) * column_gap) / columns);
     for (int i = 0; i < kBodySliders; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        const double y = first + pitch * (i % lines), x = b.x + margin + (wide + column_gap) * (i / lines);
+        const int column = i / lines;
+        const double y = first + pitch * (i % lines), x = b.x + margin + (wide + column_gap) * column;
         out.drawer_label_baselines[at] = std::round(y + pitch * 0.36);
         out.drawer_sliders[at] = {x, std::round(y + pitch * 0.72 - 32), wide, 64};
     }
