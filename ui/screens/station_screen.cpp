@@ -190,7 +190,7 @@ class Builder {
     }
 
     void stepper(const std::string& what, const std::string& value, std::size_t index) {
-        const double height = s_.target(72), wide = std::max(s_.px(236), 2 * height + s_.px(96));
+        const double height = s_.target(64), wide = std::max(s_.px(236), 2 * height + s_.px(96));
         const Rect r{x_ + width_ - wide, y_, wide, height};
         if (drawing_) {
             draw_fitted(page_.list, fonts_, what, body_, palette::kInk, x_, y_ + height / 2 + cap_drop(body_),
@@ -208,7 +208,7 @@ class Builder {
             page_.list.text(fonts_, value, strong_, palette::kInk, r.centre_x(), r.centre_y() + cap_drop(strong_),
                             Align::Centre);
         }
-        y_ += height + s_.px(16);
+        y_ += height + s_.px(8);
     }
 
     struct Choice {
