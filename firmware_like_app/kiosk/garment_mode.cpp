@@ -112,7 +112,7 @@ core::Result<void> GarmentMode::open(const core::Design& design) {
 }
 
 void GarmentMode::request_cloth() {
-    if (!desk_) return;
+    if (!desk_ || hold_ == Hold::Measure) return;  // a body that is tried on stays until the slider is let go
     if (std::optional<core::BuildRequest> request = desk_->build_request()) {
         builder_.submit({std::move(*request), woven_layers()});
     }
@@ -330,6 +330,7 @@ void GarmentMode::gesture(const ui::WindowEvent& event) {
         drawing_due_ = live_due_ = true;
         hold_ = Hold::Gesture;
     }
+    if (event.finger && (hold_ == Hold::Turning || hold_ == Hold::Moving)) hold_ = Hold::Gesture;
     if (hold_ != Hold::None && hold_ != Hold::Gesture) return;
     const core::Point middle{layout_.figure.centre_x(), layout_.figure.centre_y()};
     const core::Point at = event.x >= 0 && event.finger ? core::Point{event.x, event.y} : pointer_px_.value_or(middle);
@@ -369,12 +370,7 @@ void GarmentMode::pointer(const ui::WindowEvent& seen) {
             gesture(event);
             break;
         case Kind::TakeBack:
-            touch_.cancel();
-            if (hold_ == Hold::Drawing && desk_) desk_->cancel();
-            stroke_px_.clear();
-            hold_ = Hold::None;
-            pointer_px_.reset();
-            drawing_due_ = live_due_ = true;
+            take_back();
             break;
         case Kind::Leave:
             pointer_px_.reset();
@@ -388,7 +384,7 @@ void GarmentMode::pointer(const ui::WindowEvent& seen) {
 void GarmentMode::press(const ui::WindowEvent& event) {
     drop_hold(event.time_us);
     down_px_ = last_px_ = {event.x, event.y};
-    moved_ = false;
+    moved_ = repeated_ = false;
     if (layout_.sheet.contains(event.x, event.y)) {
         touch_sheet(event);
         return;
@@ -569,6 +565,20 @@ void GarmentMode::drop_hold(std::int64_t now_us) {
     live_due_ = true;
 }
 
+/// What was held is as if it had never been touched.
+void GarmentMode::take_back() {
+    touch_.cancel();
+    repeat_us_.reset();
+    const Hold held = std::exchange(hold_, Hold::None);
+    if (desk_ && held == Hold::Drawing) desk_->cancel();
+    if (desk_ && held == Hold::Folds) desk_->drop_live();
+    if (desk_ && held == Hold::Measure) body_.set(desk_->state().worn()->form.measures.value_or(body_.measures()));
+    body_due_ = erasing_ = false;
+    stroke_px_.clear();
+    pointer_px_.reset();
+    drawing_due_ = live_due_ = true;
+}
+
 void GarmentMode::cancel_pointer(std::int64_t now_us) {
     if (hold_ != Hold::None) {
         ui::WindowEvent cancelled;
@@ -588,7 +598,7 @@ void GarmentMode::repeat_until(std::int64_t now_us) {
     while (repeat_us_ && now_us >= *repeat_us_) {
         step_offset(repeat_by_);
         repeat_us_ = *repeat_us_ + kRepeatEvery_us;
-        moved_ = true;
+        repeated_ = true;
     }
 }
 
@@ -707,7 +717,8 @@ void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
     tape_.reset();
     piece_.clear();
     line_.clear();
-    cleared_ = find_wanted_ = false;
+    cleared_ = find_wanted_ = erasing_ = eraser_near_ = false;
+    repeat_us_.reset();
     put_away_.reset();
     scroll_px_ = 0;
     drawing_ = {};

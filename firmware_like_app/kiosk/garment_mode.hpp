@@ -3,6 +3,7 @@
 // the figure kept; one draw list a frame out. The pen never waits: cloth is made on the builder's thread.
 
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
@@ -114,6 +115,7 @@ class GarmentMode final : public Mode {
     void hold_slider(const ui::Intent& intent, const ui::WindowEvent& event);
     void slide(double x);
     void drop_hold(std::int64_t now_us);
+    void take_back();
     [[nodiscard]] core::DeskTool desk_tool() const;
     [[nodiscard]] bool pen_turns(const ui::WindowEvent& event);
 
@@ -133,6 +135,7 @@ class GarmentMode final : public Mode {
     void keep_body(std::int64_t now_us);
     void clear_design(std::int64_t now_us);
     [[nodiscard]] std::vector<std::string> pieces_to_dye() const;
+    void dye(const std::function<void(core::ClothMaterial&)>& change, std::int64_t now_us);
 
     // designs that are kept
     void export_as(std::size_t kind);
@@ -195,6 +198,7 @@ class GarmentMode final : public Mode {
     core::Point down_px_, last_px_;
     std::optional<core::Point> pointer_px_;
     bool pen_hovers_ = false, eraser_near_ = false, erasing_ = false, moved_ = false;
+    bool repeated_ = false;  // a stepper that is held
     core::Polyline stroke_px_;
     std::size_t slider_ = 0;  // of the body drawer
     double folds_ = 0;        // while they are held

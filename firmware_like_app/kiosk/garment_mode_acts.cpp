@@ -53,7 +53,7 @@ void GarmentMode::act(const ui::GarmentIntent& intent, std::int64_t now_us) {
             break;
         case A::Less:
         case A::More:
-            if (!moved_) step_offset(intent.action == A::More ? 1 : -1);  // held, it has repeated
+            if (!repeated_) step_offset(intent.action == A::More ? 1 : -1);  // held, it has repeated
             break;
         case A::ShowLayers:
         case A::ShowHistory:
@@ -208,7 +208,7 @@ void GarmentMode::step_offset(int steps) {
     offset_cm_ = std::clamp(std::round((offset_cm_ + steps * kOffsetStep_cm) * 10) / 10, 0.0, kMostOffset_cm);
 }
 
-/// The selected piece, or all of the layer that is worked on.
+/// All pieces of the layer that is worked on.
 std::vector<std::string> GarmentMode::pieces_to_dye() const {
     std::vector<std::string> pieces;
     for (const core::NetworkRegion& region : desk_->network().regions()) {
@@ -217,27 +217,29 @@ std::vector<std::string> GarmentMode::pieces_to_dye() const {
     return pieces;
 }
 
+/// What the pieces of the layer that is worked on are made of, changed for all of them as one act.
+void GarmentMode::dye(const std::function<void(core::ClothMaterial&)>& change, std::int64_t now_us) {
+    std::vector<std::pair<std::string, core::ClothMaterial>> dyed;
+    const auto& materials = desk_->state().look().materials;
+    for (const std::string& piece : pieces_to_dye()) {
+        const auto found = materials.find(piece);
+        dyed.emplace_back(piece, found != materials.end() ? found->second : core::ClothMaterial{});
+        change(dyed.back().second);
+    }
+    take_reply(desk_->set_materials(dyed), now_us);
+}
+
 void GarmentMode::choose_fabric(std::size_t fabric, std::int64_t now_us) {
     if (fabric >= ui::kFabricCount) return;
-    for (const std::string& piece : pieces_to_dye()) {
-        const auto& materials = desk_->state().look().materials;
-        const auto found = materials.find(piece);
-        core::ClothMaterial material = found != materials.end() ? found->second : core::ClothMaterial{};
-        const auto chosen = static_cast<ui::Fabric>(fabric);
-        material.fabric = chosen == ui::Fabric::Plain ? "" : std::string(ui::fabric_name(chosen));
-        take_reply(desk_->set_material(piece, material), now_us);
-    }
+    const auto chosen = static_cast<ui::Fabric>(fabric);
+    const std::string name = chosen == ui::Fabric::Plain ? "" : std::string(ui::fabric_name(chosen));
+    dye([&](core::ClothMaterial& material) { material.fabric = name; }, now_us);
 }
 
 void GarmentMode::choose_colour(std::size_t colour, std::int64_t now_us) {
     if (colour >= ui::kSwatches.size()) return;
-    for (const std::string& piece : pieces_to_dye()) {
-        const auto& materials = desk_->state().look().materials;
-        const auto found = materials.find(piece);
-        core::ClothMaterial material = found != materials.end() ? found->second : core::ClothMaterial{};
-        material.colour = ui::hex_of(ui::Colour::hex(ui::kSwatches[colour]));
-        take_reply(desk_->set_material(piece, material), now_us);
-    }
+    const std::string hex = ui::hex_of(ui::Colour::hex(ui::kSwatches[colour]));
+    dye([&](core::ClothMaterial& material) { material.colour = hex; }, now_us);
 }
 
 /// While a slider moves: the figure and the garment follow, the design stays as it is.

@@ -241,6 +241,8 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
                          views_.camera().to_px({0, -kAxisAbove_cm, 0})};
     }
     fill_stroke(state);
+    // rows may have become fewer since the list was scrolled
+    state.scroll_px = std::min(state.scroll_px, ui::GarmentScreen::most_scroll_px(state, layout_));
     return state;
 }
 

@@ -236,9 +236,16 @@ DeskReply GarmentDesk::set_alpha(const std::string& region, double alpha) {
 }
 
 DeskReply GarmentDesk::set_material(const std::string& region, const ClothMaterial& material) {
-    DesignStep step = region_step(Kind::Material, region);
-    step.material = material;
-    return act({step});
+    return set_materials({{region, material}});
+}
+
+DeskReply GarmentDesk::set_materials(const std::vector<std::pair<std::string, ClothMaterial>>& of_regions) {
+    std::vector<DesignStep> steps;
+    for (const auto& [region, material] : of_regions) {
+        steps.push_back(region_step(Kind::Material, region));
+        steps.back().material = material;
+    }
+    return steps.empty() ? DeskReply{} : act(steps);
 }
 
 DeskReply GarmentDesk::rename_region(const std::string& region, const std::string& name) {

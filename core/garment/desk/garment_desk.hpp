@@ -95,6 +95,8 @@ class GarmentDesk {
 
     DeskReply set_alpha(const std::string& region, double alpha);
     DeskReply set_material(const std::string& region, const ClothMaterial& material);
+    /// Of several regions, as one act.
+    DeskReply set_materials(const std::vector<std::pair<std::string, ClothMaterial>>& of_regions);
     DeskReply rename_region(const std::string& region, const std::string& name);
     DeskReply remove_region(const std::string& region);
     DeskReply associate(const std::string& region, PartSet parts);

@@ -374,6 +374,13 @@ TEST_CASE("layers are drawn on, put in order, hidden, named; what is below is wo
     CHECK(rows[1].name == "pockets");
     CHECK(rows[1].regions == std::vector<std::string>{"pocket"});
     CHECK(desk.state().look().materials.at("pocket").fabric == "denim");
+    const std::size_t acts = desk.history().size();
+    REQUIRE(desk.set_materials({{"front", {"#334A81", "linen"}}, {"back", {"#334A81", "linen"}}}).changed);
+    CHECK(desk.history().size() == acts + 1);  // one press, one act
+    CHECK(desk.state().look().materials.at("back").fabric == "linen");
+    CHECK_FALSE(desk.set_materials({}).changed);
+    REQUIRE(desk.undo().changed);
+    CHECK(desk.state().look().materials.count("back") == 0);
     desk.build_now();
     REQUIRE(desk.cloth().size() == 2);
     REQUIRE(desk.move_layer(1, -1).changed);
