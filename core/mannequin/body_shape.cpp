@@ -190,7 +190,7 @@ void BodyShape::add_legs(const BodyScales& s) {
         {f.crotch + 2.5, 0.98 * thigh_side, 10.0 * thigh_depth, 8.6 * thigh_depth, hip_x, -0.9},
         {f.hip, top_side, 9.8 * thigh_depth, 7.6 * thigh_depth, 0.97 * hip_side - top_side, -1.4},
         {f.hip + 5.0, 0.75 * top_side, 7.0 * thigh_depth, 5.6 * thigh_depth, 0.88 * hip_side - 0.75 * top_side, -1.6}};
-    lofts_.emplace_back(Frame{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}}, sections, Loft::Shape::Ellipse);
+    lofts_.emplace_back(LoftFrame{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}}, sections, Loft::Shape::Ellipse);
 
     const double grow = f.stature / 168.0, x = ankle_x;
     const auto egg = [&](Vec3 centre, Vec3 radii, double blend) {
@@ -209,7 +209,7 @@ void BodyShape::add_arms(const BodyMeasures& m, const BodyScales& s) {
     const Ramp girth{{0.0, s.upper_arm}, {f.elbow, 0.7 * s.upper_arm + 0.3 * s.wrist}, {f.wrist, s.wrist}};
     // across: the side axis points to the front of the body, the front axis away from it
     const Vec3 forward = normalised(Vec3{0, 0, 1} - f.arm_direction * f.arm_direction.z);
-    const Frame frame{f.arm_root, f.arm_direction, forward, cross(forward, f.arm_direction)};
+    const LoftFrame frame{f.arm_root, f.arm_direction, forward, cross(forward, f.arm_direction)};
     const auto row = [&](double along, double side, double inner, double outer) {
         const double g = girth(along);
         return Section{along, side * g, inner * g, outer * g, 0, 0};

@@ -67,7 +67,7 @@ Powers powers(double u, Loft::Shape shape) {
 
 }  // namespace
 
-Loft::Loft(Frame frame, const std::vector<Section>& sections, Shape shape)
+Loft::Loft(LoftFrame frame, const std::vector<Section>& sections, Shape shape)
     : frame_(frame), shape_(shape), first_(sections.front().along), last_(sections.back().along) {
     const int steps = std::max(2, static_cast<int>(std::ceil((last_ - first_) / kStep)));
     step_ = (last_ - first_) / steps;

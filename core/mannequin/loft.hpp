@@ -17,7 +17,7 @@ struct Section {
 };
 
 /// Directions of unit length, perpendicular to each other.
-struct Frame {
+struct LoftFrame {
     Vec3 origin, along, side, front;
 };
 
@@ -26,11 +26,11 @@ class Loft {
     enum class Shape { Ellipse, Boxy };  ///< exponent 2, 2.25
 
     /// `sections` in ascending order, two at least, are joined by a smooth curve that passes near them. Ends are flat.
-    Loft(Frame frame, const std::vector<Section>& sections, Shape shape);
+    Loft(LoftFrame frame, const std::vector<Section>& sections, Shape shape);
 
     /// Exact to first order near the surface.
     [[nodiscard]] FieldSample sample(Vec3 p) const;
-    [[nodiscard]] const Frame& frame() const { return frame_; }
+    [[nodiscard]] const LoftFrame& frame() const { return frame_; }
     /// The smoothed section at a place on the axis.
     [[nodiscard]] Section at(double along) const;
     /// The middle of that section, in space.
@@ -42,7 +42,7 @@ class Loft {
     };
     [[nodiscard]] Sloped sloped_at(double along) const;
 
-    Frame frame_;
+    LoftFrame frame_;
     Shape shape_;
     double first_ = 0.0, last_ = 0.0, step_ = 1.0;
     std::vector<Section> controls_;  // of a uniform cubic B-spline, one a step, one more at either end

@@ -43,7 +43,7 @@ auto leg_at(double BodyFrame::*height) {
 }
 auto arm_at(double BodyFrame::*along) {
     return [along](const BodyShape& shape, const BodyFrame& f) {
-        const Frame& frame = shape.arm().frame();
+        const LoftFrame& frame = shape.arm().frame();
         return CutPlane{shape.arm().middle(f.*along), frame.front, frame.side};
     };
 }

@@ -8,7 +8,7 @@ using core::Vec3;
 
 namespace {
 
-const core::Frame kUpright{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
+const core::LoftFrame kUpright{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
 
 Loft cylinder() {
     return {kUpright, {{0, 3, 3, 3, 0, 0}, {10, 3, 3, 3, 0, 0}, {20, 3, 3, 3, 0, 0}}, Loft::Shape::Ellipse};
