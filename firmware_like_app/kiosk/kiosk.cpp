@@ -70,16 +70,7 @@ class Loop {
         while (!ended_ && failure_.has_value()) {
             point();
             replay();
-            update();
-            const bool drawn = surface_.shows_frames() && (frame_due_ || shell_.changed(surface_.now_us()));
-            if (drawn) {
-                draw_frame();
-                frame_due_ = false;
-            }
-            surface_.next_frame(drawn, [this, drawn] {
-                note_shown(drawn);
-                shell_.use_spare_time();
-            });
+            show();
             if (player_.ended() &&
                 (options_.headless || (options_.end_after_replays && !(replays_.empty() && options_.garments.empty()))))
                 break;
@@ -327,6 +318,7 @@ class Loop {
         shell_.pointer(event);
     }
 
+    /// A turn of the loop without its input.
     void show() {
         update();
         const bool drawn = surface_.shows_frames() && (frame_due_ || shell_.changed(surface_.now_us()));

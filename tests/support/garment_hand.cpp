@@ -124,4 +124,16 @@ void GarmentHand::skirt() {
     view(ui::GarmentView::Front);
 }
 
+void play(KioskStand& kiosk, const app::GarmentReplay& replay) {
+    kiosk.shell->open_sheet(kiosk.now_us);
+    kiosk.shell->open_garment(true, kiosk.now_us);
+    const std::int64_t start_us = kiosk.now_us;
+    for (ui::WindowEvent event : replay.events) {
+        event.time_us += start_us;
+        kiosk.shell->pointer(event);
+        kiosk.now_us = event.time_us;
+        kiosk.shell->update(kiosk.now_us);
+    }
+}
+
 }  // namespace test

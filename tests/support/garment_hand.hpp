@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "firmware_like_app/kiosk/garment_trace.hpp"
 #include "tests/support/kiosk_stand.hpp"
 
 namespace test {
@@ -38,5 +39,8 @@ class GarmentHand {
     [[nodiscard]] core::Point px(core::Point at_cm) const;
     KioskStand& kiosk_;
 };
+
+/// Opens Garment and does again what was recorded there.
+void play(KioskStand& kiosk, const app::GarmentReplay& replay);
 
 }  // namespace test

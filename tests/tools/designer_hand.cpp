@@ -160,15 +160,7 @@ bool plays(const std::filesystem::path& folder) {
         return false;
     }
     test::KioskStand kiosk(replay->start.screen);
-    kiosk.shell->open_sheet(kiosk.now_us);
-    kiosk.shell->open_garment(true, kiosk.now_us);
-    const std::int64_t start_us = kiosk.now_us;
-    for (ui::WindowEvent event : replay->events) {
-        event.time_us += start_us;
-        kiosk.shell->pointer(event);
-        kiosk.now_us = event.time_us;
-        kiosk.shell->update(kiosk.now_us);
-    }
+    test::play(kiosk, *replay);
     const bool same = core::design_text(kiosk.garment->design()) == core::design_text(*kept);
     std::printf("%s: %zu events, %zu steps: %s\n", folder.filename().c_str(), replay->events.size(), kept->steps.size(),
                 same ? "the same design" : "another design");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/screens/placer.hpp"
+
 namespace ui {
 namespace {
 
@@ -86,26 +88,6 @@ constexpr Numbers kCompact{1280,
                            64,
                            46,
                            72};
-
-class Placer {
-  public:
-    Placer(SizePx screen, Hand hand, double scale) : screen_(screen), hand_(hand), scale_(scale) {}
-    /// A block of the board, mirrored as a whole.
-    [[nodiscard]] Rect block(double x, double y, double width, double height) const {
-        const Rect r{round(x), round(y), round(width), round(height)};
-        return hand_ == Hand::Right ? r : Rect{screen_.width - r.x - r.width, r.y, r.width, r.height};
-    }
-    /// Something inside a block, at its offset from the block's corner.
-    [[nodiscard]] Rect inside(const Rect& block, double x, double y, double width, double height) const {
-        return {block.x + round(x), block.y + round(y), round(width), round(height)};
-    }
-    [[nodiscard]] double round(double design) const { return std::round(design * scale_); }
-
-  private:
-    SizePx screen_;
-    Hand hand_;
-    double scale_;
-};
 
 /// Tools, stepper and pages: one block of the board.
 void place_tools(GarmentLayout& out, const Placer& at, const Numbers& n) {

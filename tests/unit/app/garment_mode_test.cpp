@@ -79,15 +79,7 @@ TEST_CASE("what is recorded draws the same design again, pictures too", "[garmen
     CHECK(replay->start == app::GarmentStart{kSize, "en", ui::Hand::Right});
     for (int run = 0; run < 2; ++run) {
         test::KioskStand kiosk(kSize);
-        kiosk.shell->open_sheet(kiosk.now_us);
-        kiosk.shell->open_garment(true, kiosk.now_us);
-        const std::int64_t start_us = kiosk.now_us;
-        for (ui::WindowEvent event : replay->events) {
-            event.time_us += start_us;
-            kiosk.shell->pointer(event);
-            kiosk.now_us = event.time_us;
-            kiosk.shell->update(kiosk.now_us);
-        }
+        test::play(kiosk, *replay);
         CHECK(core::design_text(kiosk.garment->design()) == drawn);
         CHECK(kiosk.picture().pixels == seen.pixels);
     }

@@ -531,6 +531,7 @@ TEST_CASE("an outline that cannot be filled stays, and says where", "[garment_de
     desk.build_now();
     CHECK(desk.history().size() == acts + 1);
     CHECK(regions_of(desk).size() == 2);
+    REQUIRE_FALSE(desk.cloth_faults().empty());
     for (const core::DeskNote& fault : desk.cloth_faults()) {
         CHECK_FALSE(fault.sentence.empty());
         CHECK(fault.place != core::Vec3{});
