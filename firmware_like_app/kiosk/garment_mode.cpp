@@ -50,6 +50,7 @@ GarmentMode::GarmentMode(const ui::FontSet& fonts, const std::vector<ui::Strings
       painter_(std::move(painter)),
       views_(std::move(views)),
       builder_(options.every_frame_seen),
+      drape_(options.every_frame_seen),
       keeper_(options.designs) {
     views_.lay_out(layout_, painter_);
     views_.set_quads(quads_);
@@ -96,6 +97,7 @@ core::Result<void> GarmentMode::open(const core::Design& design) {
     if (!body) return core::unexpected(body.error());
     core::Result<core::GarmentDesk> desk = core::GarmentDesk::open(design, core::dress_form(*body));
     if (!desk) return core::unexpected(desk.error());
+    put_back();
     builder_.forget();
     coming_ = {};
     desk_.emplace(std::move(*desk));
@@ -173,13 +175,14 @@ void GarmentMode::show_cloth() {
         dress.layers.push_back(std::move(layer));
     }
     views_.set_dress(std::move(dress));
+    if (drape_.on()) views_.set_places(hanging_);
     live_due_ = true;
     drawing_due_ = true;
 }
 
 /// Cloth that follows the pen or the slider.
 void GarmentMode::follow_live() {
-    if (!live_due_ || !desk_) return;
+    if (!live_due_ || !desk_ || drape_.on()) return;
     live_due_ = false;
     const std::optional<core::GarmentDesk::Live> live = desk_->live();
     if (live && live->places != nullptr) {
@@ -402,6 +405,7 @@ void GarmentMode::press(const ui::WindowEvent& event) {
 void GarmentMode::hold_slider(const ui::Intent& intent, const ui::WindowEvent& event) {
     const ui::GarmentIntent what = ui::garment_intent(intent.item);
     if (what.action == ui::GarmentAction::Folds) {
+        put_back();
         hold_ = Hold::Folds;
         folds_piece_ = piece_for_folds();
         slide(event.x);
@@ -419,6 +423,7 @@ void GarmentMode::hold_slider(const ui::Intent& intent, const ui::WindowEvent& e
 bool GarmentMode::pen_turns(const ui::WindowEvent& event) {
     if (event.button) return true;
     if (views_.view() != ui::GarmentView::Solid) return false;
+    if (hanging_wanted_) return true;  // to look at it from all sides; where it hangs must not matter for a replay
     for (const core::NetworkVertex& vertex : desk_->network().vertices()) {
         if (!vertex.alive || vertex.layer != desk_->layer()) continue;
         const core::Point px = views_.camera().to_px(vertex.place);
@@ -434,6 +439,7 @@ void GarmentMode::touch_sheet(const ui::WindowEvent& event) {
         hold_ = views_.view() == ui::GarmentView::Solid ? Hold::Turning : Hold::Moving;
         return;
     }
+    put_back();
     hold_ = Hold::Drawing;
     core::DeskSettings& settings = desk_->settings();
     settings.tool = desk_tool();
@@ -625,13 +631,15 @@ void GarmentMode::update(std::int64_t now_us) {
     if (std::exchange(body_due_, false)) try_body();
     request_cloth();
     take_cloth();
+    follow_drape(now_us);
     follow_live();
 }
 
 int GarmentMode::update_ink() {
     if (!desk_) return 0;
     follow_live();
-    views_.set_moving(options_.every_frame_seen && hold_ != Hold::None && hold_ != Hold::Board);
+    const bool moves = (hold_ != Hold::None && hold_ != Hold::Board) || (drape_.on() && drape_.moving());
+    views_.set_moving(options_.every_frame_seen && moves);
     if (views_.draw()) painter_.set_picture(FigureViews::kFigure, &views_.figure_texture());
     project();
     return 0;
@@ -659,7 +667,7 @@ void GarmentMode::project() {
     wishes.shaping =
         tool_ == T::Move || tool_ == T::Weld || tool_ == T::Corner || tool_ == T::Smooth || tool_ == T::Bump;
     wishes.selected_line = line_;
-    drawing_ = draw_sheet(*desk_, views_, wishes);
+    drawing_ = hanging_wanted_ ? SheetDrawing{} : draw_sheet(*desk_, views_, wishes);
     make_washes();
 }
 
@@ -693,6 +701,7 @@ bool GarmentMode::has_work() const {
 }
 
 void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
+    put_back();
     recorder_.reset();
     recording_failed_ = false;
     keep_picture();

@@ -18,6 +18,7 @@
 #include "firmware_like_app/kiosk/figure_views.hpp"
 #include "firmware_like_app/kiosk/garment_body.hpp"
 #include "firmware_like_app/kiosk/garment_builder.hpp"
+#include "firmware_like_app/kiosk/garment_drape.hpp"
 #include "firmware_like_app/kiosk/garment_keeper.hpp"
 #include "firmware_like_app/kiosk/garment_sheet.hpp"
 #include "firmware_like_app/kiosk/garment_trace.hpp"
@@ -102,6 +103,12 @@ class GarmentMode final : public Mode {
     [[nodiscard]] ui::FabricLook look_of(const std::string& piece, int layer) const;
     [[nodiscard]] std::string piece_for_folds() const;
 
+    // the garment under gravity
+    void press_drape();
+    void put_back();
+    void follow_drape(std::int64_t now_us);
+    [[nodiscard]] bool can_hang() const;
+
     // pointer
     void record(const ui::WindowEvent& event);
     void gesture(const ui::WindowEvent& event);
@@ -167,6 +174,9 @@ class GarmentMode final : public Mode {
     ui::Painter painter_;
     FigureViews views_;
     GarmentBuilder builder_;
+    GarmentDrape drape_;
+    HangingPlaces hanging_;                                // as shown
+    bool hanging_wanted_ = false;                          // hangs as soon as its cloth is there
     std::future<core::Result<core::GarmentDesk>> coming_;  // the desk of an empty design
     std::optional<core::GarmentDesk> desk_;
     std::string failure_;  // why there is no desk

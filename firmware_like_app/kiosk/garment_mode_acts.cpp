@@ -100,6 +100,9 @@ void GarmentMode::act(const ui::GarmentIntent& intent, std::int64_t now_us) {
             quads_ = !quads_;
             views_.set_quads(quads_);
             break;
+        case A::Drape:
+            press_drape();
+            break;
         case A::ExportAs:
             export_as(intent.index);
             break;
@@ -143,6 +146,7 @@ void GarmentMode::choose_tool(ui::GarmentTool tool, std::int64_t now_us) {
     problem_.clear();
     notes_.clear();
     tape_.reset();
+    put_back();
     drawing_due_ = true;
     if (tool == ui::GarmentTool::Mirror) {  // a switch, not a pen
         take_reply(desk_->set_mirror(!desk_->state().look().mirror), now_us);

@@ -205,6 +205,8 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     state.can_redo = desk_->can_redo();
     state.empty = desk_->network().lines().empty();
     state.mirror = desk_->state().look().mirror;
+    state.hanging = hanging_wanted_;
+    state.can_hang = can_hang();
     fill_rows(state);
     if (history_shown_) fill_history(state);
     state.folds_name = "";
@@ -221,6 +223,11 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     state.lines = drawing_.lines;
     state.handles_px = drawing_.handles_px;
     state.open_ends_px = drawing_.open_ends_px;
+    if (hanging_wanted_) {  // lines lie where the cloth was drawn
+        fill_stroke(state);
+        state.scroll_px = std::min(state.scroll_px, ui::GarmentScreen::most_scroll_px(state, layout_));
+        return state;
+    }
     for (const auto& [note, key] : notes_) {
         if (note.key == "outline_open" && (note.gap_cm <= 0 || note.gap_cm > kNotedGap_cm)) continue;
         state.notes.push_back({words()[key], views_.camera().to_px(note.place), true});

@@ -38,6 +38,8 @@ ToolFace face_of(const GarmentIntent& slot) {
             return kTools[slot.index];
         case GarmentAction::Quads:
             return {Icon::Quads, "tool_quads"};
+        case GarmentAction::Drape:
+            return {Icon::Drape, "tool_drape"};
         case GarmentAction::New:
             return {Icon::New, "tool_new"};
         case GarmentAction::Designs:
@@ -45,6 +47,11 @@ ToolFace face_of(const GarmentIntent& slot) {
         default:
             return {Icon::Fabric, "tool_fabric"};
     }
+}
+
+bool can_be_pressed(const GarmentIntent& slot, const GarmentState& state) {
+    if (slot.action == GarmentAction::New) return !state.empty;
+    return slot.action != GarmentAction::Drape || state.can_hang;
 }
 
 GarmentIntent tool(GarmentTool t) {
@@ -163,6 +170,7 @@ class Drawer {
 
     [[nodiscard]] std::string where() const {
         const std::string view = words_[view_key(state_.view)];
+        if (state_.hanging) return words_[state_.view == GarmentView::Solid ? "hangs_solid" : "hangs_flat"];
         const bool draws = state_.tool == GarmentTool::OnPlane || state_.tool == GarmentTool::OnBody;
         if (state_.view == GarmentView::Solid && (draws || state_.drawer != GarmentDrawer::None)) {
             return words_["drag_beside"];
@@ -232,7 +240,7 @@ class Drawer {
         for (std::size_t i = 0; i < kGarmentSlots; ++i) {
             if (!slots[i] || (slots[i]->action == GarmentAction::Designs && !state_.designs_kept)) continue;
             const ToolFace face = face_of(*slots[i]);
-            const bool on = slots[i]->action != GarmentAction::New || !state_.empty;
+            const bool on = can_be_pressed(*slots[i], state_);
             tool_button(l_.tools[i], face.icon, words_[face.key], Control::Garment,
                         garment_item(slots[i]->action, slots[i]->index), chosen(*slots[i]), on);
         }
@@ -242,6 +250,7 @@ class Drawer {
 
     [[nodiscard]] bool chosen(const GarmentIntent& slot) const {
         if (slot.action == GarmentAction::Quads) return state_.quads;
+        if (slot.action == GarmentAction::Drape) return state_.hanging;
         if (slot.action != GarmentAction::Tool) return false;
         if (slot.index == static_cast<std::size_t>(GarmentTool::Mirror)) return state_.mirror;
         return slot.index == static_cast<std::size_t>(state_.tool);
@@ -384,7 +393,7 @@ std::array<std::optional<GarmentIntent>, kGarmentSlots> tools_of_page(std::size_
             GarmentIntent{A::Fabrics},
             GarmentIntent{A::Quads},
             tool(T::Measure),
-            std::nullopt,
+            GarmentIntent{A::Drape},
             std::nullopt,
             std::nullopt};
 }
@@ -422,7 +431,7 @@ std::vector<BoardTouch::Target> GarmentScreen::targets(const GarmentState& state
     all = mode_targets(layout.mode_switch);
     const auto slots = tools_of_page(state.page);
     for (std::size_t i = 0; i < kGarmentSlots; ++i) {
-        if (!slots[i] || (slots[i]->action == A::New && state.empty)) continue;
+        if (!slots[i] || !can_be_pressed(*slots[i], state)) continue;
         if (slots[i]->action == A::Designs && !state.designs_kept) continue;
         add(slots[i]->action, slots[i]->index, layout.tools[i]);
     }

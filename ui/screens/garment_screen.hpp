@@ -64,6 +64,7 @@ enum class GarmentAction {
     Designs,
     Fabrics,
     Quads,
+    Drape,  ///< a switch: the garment hangs
     CloseDrawer,
     Size,     ///< index: of the sizes
     Measure,  ///< index: slider of the body drawer
@@ -153,6 +154,8 @@ struct GarmentState {
     bool mirror = true, quads = true;
     bool designs_kept = false;  ///< there is a gallery
     bool line_open = false;     ///< the pen is down
+    bool can_hang = false;      ///< there is cloth
+    bool hanging = false;       ///< under gravity, not as drawn
 
     std::vector<LayerRow> rows;
     std::vector<HistoryRow> history;
