@@ -14,6 +14,7 @@ constexpr int kSlowPictures = 2;  // in a row, before drafts are drawn
 constexpr double kMostElevation = 1.2;
 constexpr double kDefaultAzimuth = 0.5, kDefaultElevation = 0.1;
 constexpr double kHeadRoom_cm = 2;
+constexpr ui::Colour kObjectColour = ui::Colour::hex(0x8F7F6B);  // leather, darker than the figure
 
 ui::SizePx whole(const ui::Rect& rect) {
     return {std::max(1, static_cast<int>(rect.width)), std::max(1, static_cast<int>(rect.height))};
@@ -68,8 +69,31 @@ void FigureViews::upload() {
         uploaded_form_ = dress_.form;
         aim();
     }
-    stage_.set_layer_count(dress_.layers.size());
+    stage_.set_layer_count(dress_.layers.size() + objects_.size());
     for (std::size_t i = 0; i < dress_.layers.size(); ++i) upload_layer(i);
+    for (std::size_t i = 0; i < objects_.size(); ++i) upload_object(i);
+}
+
+/// Objects are drawn as layers beyond those of cloth.
+void FigureViews::upload_object(std::size_t i) {
+    ui::ClothCorners corners;
+    if (objects_[i]) {
+        corners.corners = ui::corners_of_body(*objects_[i]);
+        ui::FabricLook look;
+        look.colour = kObjectColour;
+        corners.runs.push_back({look, 0, corners.corners.count()});
+    }
+    stage_.set_layer(dress_.layers.size() + i, corners);
+}
+
+void FigureViews::set_objects(std::vector<std::shared_ptr<const core::TriangleMesh>> objects) {
+    if (objects == objects_) return;
+    const std::vector<std::shared_ptr<const core::TriangleMesh>> before = std::exchange(objects_, std::move(objects));
+    stage_.set_layer_count(dress_.layers.size() + objects_.size());
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+        if (i >= before.size() || before[i] != objects_[i]) upload_object(i);
+    }
+    surfaces_changed();
 }
 
 void FigureViews::upload_layer(std::size_t i) {
@@ -216,6 +240,9 @@ void FigureViews::fill_depth() {
     camera.centre_px = camera.centre_px - core::Point{layout_.sheet.x, layout_.sheet.y};
     depth_.clear(camera, whole(layout_.sheet));
     if (dress_.form && dress_.body_shown) depth_.add(dress_.form->mesh.vertices, dress_.form->mesh.triangles);
+    for (const auto& object : objects_) {
+        if (object) depth_.add(object->vertices, object->triangles);
+    }
     for (const FigureDress::Layer& layer : dress_.layers) {
         if (!layer.shown || !layer.cloth) continue;
         depth_.add(vertices_of(layer), layer.cloth->fitted.mesh.quads);

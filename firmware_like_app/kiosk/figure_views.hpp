@@ -43,6 +43,8 @@ class FigureViews {
     void set_places(std::map<int, std::vector<core::Vec3>> places);
     /// Those of a layer that moves; null for the others.
     [[nodiscard]] const std::vector<core::Vec3>* places_of(int layer) const;
+    /// What the figure wears beside cloth, in place; null: not found.
+    void set_objects(std::vector<std::shared_ptr<const core::TriangleMesh>> objects);
     void set_quads(bool quads);
     /// While something moves and pictures take long: a quarter of the pixels. The picture is drawn whole when it ends.
     void set_moving(bool moving);
@@ -98,6 +100,7 @@ class FigureViews {
     };
     void upload();
     void upload_layer(std::size_t layer);
+    void upload_object(std::size_t object);
     [[nodiscard]] const std::vector<core::Vec3>& vertices_of(const FigureDress::Layer& layer) const;
     void surfaces_changed();
     void aim();
@@ -112,6 +115,7 @@ class FigureViews {
     std::vector<ui::Target> small_;
     ui::GarmentLayout layout_;
     FigureDress dress_;
+    std::vector<std::shared_ptr<const core::TriangleMesh>> objects_;
     std::shared_ptr<const core::DressForm> uploaded_form_;
     std::map<int, std::vector<core::Vec3>> live_;  // of layers that move
     double height_cm_ = 170;

@@ -17,7 +17,7 @@ T value_of(core::Result<T> result) {
 }  // namespace
 
 KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOptions find_options,
-                       const std::filesystem::path& record)
+                       const std::filesystem::path& record, app::GarmentOptions garment_options)
     : context_(value_of(ui::make_headless_context())),
       fonts_(std::make_unique<ui::FontSet>(value_of(ui::FontSet::load()))),
       languages(value_of(ui::Strings::load_all())),
@@ -29,7 +29,6 @@ KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOp
     find_options.language = options.language;
     find_options.hand = options.hand;
     find = value_of(app::FindMode::create(*fonts_, languages, &collection.searcher(), find_options, size));
-    app::GarmentOptions garment_options;
     garment_options.language = options.language;
     garment_options.hand = options.hand;
     garment_options.every_frame_seen = false;

@@ -15,9 +15,9 @@ namespace test {
 class KioskStand {
   public:
     /// A small collection of built animals. Throws std::runtime_error with the sentence of what is missing.
-    /// `record`: a folder for what is drawn in Garment.
+    /// `record`: a folder for what is drawn in Garment. Of `garment` what this stand does not set itself counts.
     explicit KioskStand(ui::SizePx size, app::ShellOptions options = {}, app::FindOptions find_options = {},
-                        const std::filesystem::path& record = {});
+                        const std::filesystem::path& record = {}, app::GarmentOptions garment = {});
 
     /// Frames of 1/60 s until that time is over; of 1/10 s where it is longer than five seconds.
     void wait(double seconds);

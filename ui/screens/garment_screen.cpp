@@ -83,6 +83,7 @@ class Drawer {
             const core::Point& p = state_.handles_px[i];
             if (l_.sheet.contains(p.x, p.y)) draw_handle(list_, p, l_.scale, state_.held_handle == i);
         }
+        if (state_.object) object(*state_.object);
         brush();
         names();
         for (const PlacedNote& note : state_.notes) placed_note(note);
@@ -159,6 +160,23 @@ class Drawer {
         list_.ink(std::move(edge), palette::kSanguine.faded(0.45F), l_.sheet);
     }
 
+    /// A frame in the red of all that is live; its corners take hold.
+    void object(const ObjectHandles& o) {
+        SheetLine frame;
+        frame.kind = SheetLine::Kind::Tape;
+        frame.px = {{o.box.x, o.box.y},
+                    {o.box.right(), o.box.y},
+                    {o.box.right(), o.box.bottom()},
+                    {o.box.x, o.box.bottom()},
+                    {o.box.x, o.box.y}};
+        draw_sheet_line(list_, frame, l_.scale, l_.sheet);
+        if (l_.sheet.contains(o.scale.x, o.scale.y)) draw_handle(list_, o.scale, l_.scale, o.scaling);
+        if (!l_.sheet.contains(o.turn.x, o.turn.y)) return;
+        const double d = l_.px(o.turning ? 44 : 36), size = l_.px(22);
+        list_.box({o.turn.x - d / 2, o.turn.y - d / 2, d, d}, d / 2, palette::kSheet, palette::kSanguine, l_.px(3));
+        list_.icon(Icon::Turn, o.turn.x, o.turn.y, size, size / 32 * 3, palette::kSanguine);
+    }
+
     void brush() {
         if (state_.brush_px.size() < 3) return;
         SheetLine line;
@@ -170,6 +188,7 @@ class Drawer {
 
     [[nodiscard]] std::string where() const {
         const std::string view = words_[view_key(state_.view)];
+        if (state_.object && state_.tool != GarmentTool::Measure) return words_["object_hint"];
         if (state_.hanging) return words_[state_.view == GarmentView::Solid ? "hangs_solid" : "hangs_flat"];
         const bool draws = state_.tool == GarmentTool::OnPlane || state_.tool == GarmentTool::OnBody;
         if (state_.view == GarmentView::Solid && (draws || state_.drawer != GarmentDrawer::None)) {
