@@ -21,6 +21,7 @@ void GarmentMode::press_drape() {
     if (hanging_wanted_) {
         put_back();
     } else if (can_hang()) {
+        finish_line();
         hanging_wanted_ = true;
         drawing_due_ = true;
     }

@@ -31,6 +31,7 @@ void GarmentMode::place(const core::PlacedObject& object, std::int64_t now_us) {
     drop_hold(now_us);
     if (ready_recorder(now_us)) recorder_->place(object, now_us);
     put_back();
+    finish_line();
     if (drawer_ != ui::GarmentDrawer::None) open_drawer(ui::GarmentDrawer::None);
     history_shown_ = false;
     scroll_px_ = 0;
@@ -57,6 +58,7 @@ bool GarmentMode::hold_object(const ui::WindowEvent& event) {
         objects_.choose("");
         return false;
     }
+    finish_line();
     objects_.hold(grip, px, objects(), views_.camera());
     hold_ = Hold::Object;
     problem_.clear();
