@@ -119,8 +119,8 @@ Vec3 middle_at(Spot spot, const core::DressForm& form, Vec3 half) {
         case Spot::Hand:
             break;
     }
-    // below the hand by its palm; what is taller stands on the floor
-    return {wrist.x + 0.04 * height, std::max(wrist.y - 0.06 * height - half.y, half.y), wrist.z};
+    // below the hand; what is taller stands on the floor
+    return {wrist.x, std::max(wrist.y - 0.06 * height - half.y, half.y), wrist.z};
 }
 
 std::string free_name(const std::string& wished, const std::vector<core::PlacedObject>& taken) {

@@ -110,7 +110,9 @@ void GarmentBodyFiles::read(const std::string& file) {
     const auto work = [reading = reading_, shelf = shelf_] {
         const core::Result<core::DressForm> form = shelf->form(reading->file);
         const std::scoped_lock lock(reading->mutex);
-        if (!form) reading->problem = form.error().sentence();
+        if (!form) {  // as it is listed: the folder is the studio's business
+            reading->problem = fs::path(reading->file).filename().string() + ": " + form.error().message;
+        }
         reading->done = true;
     };
     if (!own_thread_) return work();

@@ -45,7 +45,8 @@ void GarmentMode::show_objects() {
 }
 
 std::optional<ui::ObjectHandles> GarmentMode::object_handles() const {
-    return objects_.handles(objects(), views_.camera(), layout_.px(kFrame_px));
+    return objects_.handles(objects(), views_.camera(), layout_.px(kFrame_px),
+                            layout_.sheet.shrunk(layout_.px(kFrame_px) * 2));
 }
 
 /// The pen comes down on the chosen object or one of its handles.

@@ -243,14 +243,14 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     for (std::size_t i = 0; i < washes_.size(); ++i) {
         state.washes.push_back({ui::PictureId{kFirstWash + static_cast<int>(i)}, washes_[i].rect, washes_[i].colour});
     }
-    state.lines = drawing_.lines;
-    state.handles_px = drawing_.handles_px;
-    state.open_ends_px = drawing_.open_ends_px;
     if (hanging_wanted_) {  // lines lie where the cloth was drawn
         fill_stroke(state);
         state.scroll_px = std::min(state.scroll_px, ui::GarmentScreen::most_scroll_px(state, layout_));
         return state;
     }
+    state.lines = drawing_.lines;
+    state.handles_px = drawing_.handles_px;
+    state.open_ends_px = drawing_.open_ends_px;
     for (const auto& [note, key] : notes_) {
         if (note.key == "outline_open" && (note.gap_cm <= 0 || note.gap_cm > kNotedGap_cm)) continue;
         state.notes.push_back({words()[key], views_.camera().to_px(note.place), true});

@@ -101,13 +101,19 @@ std::optional<ui::Rect> GarmentObjects::box_px(const core::PlacedObject& object,
 }
 
 std::optional<ui::ObjectHandles> GarmentObjects::handles(const std::vector<core::PlacedObject>& objects,
-                                                         const ui::FigureCamera& camera, double margin_px) {
+                                                         const ui::FigureCamera& camera, double margin_px,
+                                                         const ui::Rect& reach) {
     const core::PlacedObject* object = chosen_.empty() ? nullptr : now(objects, chosen_);
     if (object == nullptr) return std::nullopt;
     const std::optional<ui::Rect> box = box_px(*object, camera);
     if (!box) return std::nullopt;
     ui::ObjectHandles out;
-    out.box = {box->x - margin_px, box->y - margin_px, box->width + 2 * margin_px, box->height + 2 * margin_px};
+    const double least = 4 * margin_px;  // of a side, where most of it is out of reach
+    const double left = std::clamp(box->x - margin_px, reach.x, reach.right() - least);
+    const double top = std::clamp(box->y - margin_px, reach.y, reach.bottom() - least);
+    const double right = std::clamp(box->right() + margin_px, left + least, reach.right());
+    const double bottom = std::clamp(box->bottom() + margin_px, top + least, reach.bottom());
+    out.box = {left, top, right - left, bottom - top};
     out.scale = {out.box.right(), out.box.bottom()};
     out.turn = {out.box.right(), out.box.y};
     out.scaling = grip_ == Grip::Scale;

@@ -37,9 +37,11 @@ class GarmentObjects {
     void choose(const std::string& name) { chosen_ = name; }
     [[nodiscard]] const std::string& chosen() const { return chosen_; }
 
-    /// Of the chosen one; nothing when none is, or it is not found.
+    /// Of the chosen one; nothing when none is, or it is not found. The frame goes `margin_px` around it, and no
+    /// farther than `reach`, so that its corners can be touched wherever the object is.
     [[nodiscard]] std::optional<ui::ObjectHandles> handles(const std::vector<core::PlacedObject>& objects,
-                                                           const ui::FigureCamera& camera, double margin_px);
+                                                           const ui::FigureCamera& camera, double margin_px,
+                                                           const ui::Rect& reach);
     /// The foremost object whose box on the screen holds this place; empty: none.
     [[nodiscard]] std::string at(core::Point px, const std::vector<core::PlacedObject>& objects,
                                  const ui::FigureCamera& camera);

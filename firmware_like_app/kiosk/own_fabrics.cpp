@@ -55,12 +55,12 @@ core::RgbaImage tile_of(const core::RgbaImage& image) {
 core::Result<core::RgbaImage> read_tile(const fs::path& file) {
     std::error_code error;
     if (fs::file_size(file, error) > kLargest_bytes || error) {
-        return core::unexpected(core::ErrorCode::BadFormat, "the picture is larger than 16 MB", file.string());
+        return core::unexpected(core::ErrorCode::BadFormat, "the picture is larger than 16 MB");
     }
     const core::Result<std::string> bytes = core::read_file_bytes(file.string(), kLargest_bytes);
     if (!bytes) return core::unexpected(bytes.error());
     const core::Result<core::RgbaImage> image = core::decode_rgba_image(std::as_bytes(std::span(*bytes)));
-    if (!image) return core::unexpected(image.error().code, image.error().message, file.string());
+    if (!image) return core::unexpected(image.error());
     return tile_of(*image);
 }
 
@@ -83,7 +83,7 @@ OwnFabrics read_own_fabrics(const fs::path& folder) {
         if (tile) {
             out.fabrics.push_back({file.stem().string(), file.string(), std::move(*tile)});
         } else if (out.problem.empty()) {
-            out.problem = tile.error().sentence();
+            out.problem = file.filename().string() + ": " + tile.error().message;
         }
     }
     return out;

@@ -230,14 +230,13 @@ std::vector<NamedScene> garment_scenes() {
               [](KioskStand& k) {
                   GarmentHand hand = with(k, "skirt_folds");
                   hand.tool(T::Smooth);
-                  hand.draw({{2, 52}, {10, 52}, {22, 53}}, false);
+                  hand.draw({{3, 47.5}, {14, 47.5}, {27, 47.5}}, false);
               }),
         scene("garment-bump",
               [](KioskStand& k) {
                   GarmentHand hand = with(k, "skirt_flat");
                   hand.tool(T::Bump);
-                  const core::Point start = hand.seen(hand.vertex(1));
-                  hand.draw({start, start + core::Point{-8, -1}, start + core::Point{-20, -1.5}}, false);
+                  hand.draw({{3, 47.5}, {14, 47.5}, {27, 47.5}}, false);
               }),
         scene("garment-weld",
               [](KioskStand& k) {

@@ -91,7 +91,8 @@ class ListDrawer {
     void layer(std::size_t i, const Rect& r) {
         const LayerRow& row = state_.rows[i];
         if (row.selected) {
-            list_.box(r, l_.px(16), palette::kSheet, palette::kInk, l_.px(2));
+            // the layer that is worked on; in red the object that is held by its frame
+            list_.box(r, l_.px(16), palette::kSheet, row.object ? palette::kSanguine : palette::kInk, l_.px(2));
         } else if (down(GarmentAction::Row, i)) {
             list_.box(r, l_.px(16), palette::kWell);
         }

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/exchange/design_file.hpp"
+#include "core/geometry/turn.hpp"
 #include "tests/support/garment_hand.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -73,9 +74,9 @@ TEST_CASE("an object is moved, scaled and turned by its handles, each one act", 
     const double scale_px = kiosk.garment->views().camera().scale_px;
     ui::ObjectHandles h = *state(kiosk).object;
     const core::Point middle{h.box.centre_x(), h.box.centre_y()};
-    drag(kiosk, middle, middle + core::Point{60, -40});
+    drag(kiosk, middle, middle + core::Point{-60, -40});
     const core::PlacedObject moved = objects(kiosk)[0];
-    CHECK(moved.at.x - before.at.x == Approx(60 / scale_px));
+    CHECK(moved.at.x - before.at.x == Approx(-60 / scale_px));
     CHECK(moved.at.y - before.at.y == Approx(40 / scale_px));
     CHECK(moved.at.z == before.at.z);
     CHECK(moved.scale == before.scale);
@@ -90,8 +91,8 @@ TEST_CASE("an object is moved, scaled and turned by its handles, each one act", 
     const core::Point arm = h.turn - centre;
     drag(kiosk, h.turn, centre + core::Point{arm.y, -arm.x});  // a quarter turn against the clock
     const core::Vec3 x = core::turned({1, 0, 0}, objects(kiosk)[0].turn), was = core::turned({1, 0, 0}, moved.turn);
-    CHECK(x.x == Approx(-was.y).margin(1e-6));
-    CHECK(x.y == Approx(was.x).margin(1e-6));
+    CHECK(x.x == Approx(-was.y).margin(1e-3));  // pointers are whole 64ths of a pixel
+    CHECK(x.y == Approx(was.x).margin(1e-3));
     CHECK(kiosk.garment->desk().history().size() == 4);
 
     kiosk.tap(kiosk.garment->layout().undo);
@@ -103,6 +104,21 @@ TEST_CASE("an object is moved, scaled and turned by its handles, each one act", 
     drag(kiosk, side, side + core::Point{30, 0});
     CHECK(objects(kiosk)[0].at.x == Approx(moved.at.x));
     CHECK_FALSE(objects(kiosk)[0].at.z == moved.at.z);
+}
+
+TEST_CASE("handles stay within reach of the pen wherever the object is", "[garment objects]") {
+    test::KioskStand kiosk(kSize);
+    wear_a_horse(kiosk);
+    const ui::Rect sheet = kiosk.garment->layout().sheet;
+    for (const core::Vec3 at : {core::Vec3{300, 90, 0}, core::Vec3{-300, 500, 0}, core::Vec3{0, -200, 0}}) {
+        core::PlacedObject far = objects(kiosk)[0];
+        far.at = at;
+        kiosk.garment->place(far, kiosk.now_us);
+        const ui::ObjectHandles h = *state(kiosk).object;
+        for (const core::Point p : {h.turn, h.scale, core::Point{h.box.x, h.box.y}}) CHECK(sheet.contains(p.x, p.y));
+        CHECK(core::distance(h.turn, h.scale) > 30);
+    }
+    CHECK(objects(kiosk).size() == 1);
 }
 
 TEST_CASE("an object is let go beside it, chosen again by a tap or its row, and taken off", "[garment objects]") {
@@ -152,7 +168,8 @@ TEST_CASE("a wipe takes objects along, and a model that is gone is said", "[garm
     CHECK(objects(kiosk).size() == 1);  // it stays in the design
     test::GarmentHand(kiosk).press(A::Row, 0);
     CHECK_FALSE(state(kiosk).object);  // nothing to take hold of
-    CHECK_FALSE(kiosk.picture().pixels == worn.pixels);
+    const bool same = kiosk.picture().pixels == worn.pixels;
+    CHECK_FALSE(same);
 }
 
 TEST_CASE("what was worn and moved is recorded and drawn again", "[garment objects]") {
@@ -163,7 +180,8 @@ TEST_CASE("what was worn and moved is recorded and drawn again", "[garment objec
     {
         test::KioskStand kiosk(kSize, {}, {}, folder.path(""));
         wear_a_horse(kiosk);
-        mesh = kiosk.shell->detail().is_open() ? nullptr : kiosk.find->ranking()->answer.best[0].mesh;
+        for (const app::FoundModel& found : kiosk.find->ranking()->answer.best)
+            if (found.name == objects(kiosk)[0].model) mesh = found.mesh;
         const ui::Rect box = state(kiosk).object->box;
         drag(kiosk, {box.centre_x(), box.centre_y()}, {box.centre_x() - 50, box.centre_y() - 30});
         drawn = core::design_text(kiosk.garment->design());
@@ -182,5 +200,6 @@ TEST_CASE("what was worn and moved is recorded and drawn again", "[garment objec
     test::KioskStand kiosk(kSize, {}, {}, {}, options);
     test::play(kiosk, *replay);
     CHECK(core::design_text(kiosk.garment->design()) == drawn);
-    CHECK(kiosk.picture().pixels == seen.pixels);
+    const bool same = kiosk.picture().pixels == seen.pixels;
+    CHECK(same);
 }
