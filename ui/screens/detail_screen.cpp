@@ -179,7 +179,10 @@ class Drawer {
         list_.icon(Icon::Turn, p.x, p.y, s_.px(32), s_.px(32) / 32 * 2.6, palette::kSanguine.faded(opened()));
     }
 
-    void model() { list_.picture(state_.model, state_.model_rect); }
+    void model() {
+        if (state_.model != PictureId{}) list_.picture(state_.model, l_.stage);
+        if (state_.still_opacity > 0) list_.picture(state_.still, state_.still_rect, state_.still_opacity);
+    }
 
     void model_tags() {
         if (state_.opened < 1) return;
