@@ -409,11 +409,15 @@ bool FindMode::wash_is_current() const {
     return answer_ && answer_->ticket == last_ticket_ && last_ticket_revision_ == sketch_.revision();
 }
 
+void FindMode::search_news() {
+    if (!worker_ || !options_.search_while_drawing || pen_ != Pen::Drawing || sketch_.empty()) return;
+    if (sketch_.revision() != submitted_revision_) submit();
+}
+
 void FindMode::update(std::int64_t now_us) {
     if (cleared_ && now_us - cleared_us_ > kClearedOffer_us) cleared_ = false;
+    search_news();
     if (worker_) {
-        const bool news = sketch_.revision() != submitted_revision_ && !sketch_.empty();
-        if (options_.search_while_drawing && pen_ == Pen::Drawing && news) submit();
         if (auto answer = worker_->take()) accept(std::move(*answer));
     }
     change_cards(now_us);

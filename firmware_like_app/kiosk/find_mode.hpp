@@ -26,7 +26,7 @@ struct FindOptions {
     std::size_t language = 0;
     ui::Hand hand = ui::Hand::Right;
     std::string board_key = "hint_board";  ///< of the words on the board while it shows no cards
-    bool search_while_drawing = true;      ///< after every frame that brought samples; false: only after strokes
+    bool search_while_drawing = true;      ///< whenever samples came; false: only after strokes
     bool every_frame_seen = true;          ///< false: cards and wash are made when settle() asks for them
     bool spare_time = false;               ///< true: card pictures are painted in use_spare_time() alone
 };
@@ -54,6 +54,8 @@ class FindMode final : public Mode {
     void extend_stroke(const core::PenSample& sample);
     void end_stroke(std::int64_t now_us);
 
+    /// Searches what was drawn since the last search, while a stroke is drawn.
+    void search_news();
     /// Once a frame: searches when due, takes answers, paints a few card pictures, moves what fades.
     void update(std::int64_t now_us) override;
     /// Paints one card picture that is wanted. To be called when a frame is on its way to the screen, before the pen is

@@ -91,7 +91,8 @@ class Loop {
         return std::move(report_);
     }
 
-    /// All that pointed since the last frame.
+    /// All that pointed since the last call: once a frame, and while a stroke is drawn also between frames, so that its
+    /// search need not wait for the next one.
     void point() {
         const std::vector<ui::WindowEvent> events =
             pens_.merge(surface_.poll(), surface_.size(), shell_.sheet(), surface_.now_us());
@@ -326,10 +327,15 @@ class Loop {
             draw_frame();
             frame_due_ = false;
         }
-        surface_.next_frame(drawn, [this, drawn] {
+        const std::function<void()> look = [this] {
+            point();
+            find_.search_news();
+        };
+        const auto meanwhile = [this, drawn] {
             note_shown(drawn);
             shell_.use_spare_time();
-        });
+        };
+        surface_.next_frame(drawn, meanwhile, find_.sketch().open() ? look : std::function<void()>());
     }
 
     void shoot_garment(const std::string& name, int percent) {

@@ -63,6 +63,30 @@ TEST_CASE("ink goes on while a slow search runs, and the newest drawing is found
     CHECK(kiosk.find->searches() <= 4);  // thirteen strokes, but only the newest ones were searched
 }
 
+TEST_CASE("what a stroke brings between frames is searched without waiting for the next", "[find mode]") {
+    test::FigureSearcher figures(test::make_animals());
+    Kiosk kiosk(&figures);
+    const auto searched = [&](std::uint64_t count) {
+        for (int i = 0; i < 500 && kiosk.find->searches() < count; ++i) std::this_thread::sleep_for(10ms);
+        return kiosk.find->searches() == count;
+    };
+    kiosk.event(Kind::Down, 700, 300);
+    for (int i = 1; i <= 20; ++i) kiosk.event(Kind::Move, 700 + i * 15, 300 + i);
+    kiosk.find->search_news();
+    CHECK(searched(1));
+    kiosk.find->search_news();  // nothing new
+    std::this_thread::sleep_for(30ms);
+    CHECK(kiosk.find->searches() == 1);
+    kiosk.event(Kind::Move, 1000, 500);
+    kiosk.find->search_news();
+    CHECK(searched(2));
+    kiosk.event(Kind::Up, 1000, 500);
+    CHECK(searched(3));
+    kiosk.find->search_news();  // no stroke is drawn
+    std::this_thread::sleep_for(30ms);
+    CHECK(kiosk.find->searches() == 3);
+}
+
 TEST_CASE("tools work by touch: eraser, undo, redo, new and taking back new", "[find mode]") {
     Kiosk kiosk(nullptr);
     kiosk.stroke(700, 200, 1000, 200);
