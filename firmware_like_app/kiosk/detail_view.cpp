@@ -188,7 +188,7 @@ void DetailView::upload_model() {
 
 void DetailView::set_frames_are_seen(bool seen) {
     frames_are_seen_ = seen;
-    worker_ = seen ? std::make_unique<DetailWorker>() : nullptr;
+    worker_ = seen ? std::make_unique<NewestWorker<DetailJob, PreparedDetail>>(prepare_detail) : nullptr;
 }
 
 void DetailView::use_spare_time(ui::Painter& painter) {
@@ -312,6 +312,10 @@ void DetailView::close(ui::Painter& painter) {
 void DetailView::set_focus(std::optional<int> focus) {
     if (focus == focus_) return;
     focus_ = focus;
+    recolour();
+}
+
+void DetailView::recolour() {
     ui::recolour(lifted_, focus_);
     if (model_ > Model::Lifted) stage_.set_model(lifted_.geometry, contacts_);
     view_.reset();

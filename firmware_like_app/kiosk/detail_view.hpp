@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "firmware_like_app/kiosk/detail_worker.hpp"
+#include "firmware_like_app/kiosk/detail_model.hpp"
+#include "firmware_like_app/kiosk/newest_worker.hpp"
 #include "firmware_like_app/kiosk/search_worker.hpp"
 #include "ui/draw/ink_layer.hpp"
 #include "ui/draw/lifted_parts.hpp"
@@ -51,6 +52,8 @@ class DetailView {
     [[nodiscard]] ui::DetailState state(std::size_t language, std::int64_t now_us) const;
     [[nodiscard]] ui::DrawList draw(const ui::DetailState& state) const { return screen_.draw(state, layout_); }
     [[nodiscard]] const ui::DetailLayout& layout() const { return layout_; }
+    /// Parts have other colours from now on (ui/draw/palette.hpp): those of the model change.
+    void recolour();
     /// Which of the answer is shown.
     [[nodiscard]] std::size_t index() const { return index_; }
 
@@ -102,7 +105,7 @@ class DetailView {
     std::vector<ui::Texture> similar_pictures_;
     // the model on its way: asked for, lifted, uploaded, its picture made, drawn
     enum class Model { None, Asked, Lifted, Uploaded, Pictured, Drawn } model_ = Model::None;
-    std::unique_ptr<DetailWorker> worker_;
+    std::unique_ptr<NewestWorker<DetailJob, PreparedDetail>> worker_;
     std::uint64_t ticket_ = 0;  // of the newest that was asked for
     std::optional<ui::Texture> still_;
     ui::PicturePlace still_place_;

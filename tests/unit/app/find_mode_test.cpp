@@ -63,6 +63,37 @@ TEST_CASE("ink goes on while a slow search runs, and the newest drawing is found
     CHECK(kiosk.find->searches() <= 4);  // thirteen strokes, but only the newest ones were searched
 }
 
+TEST_CASE("the best match lies under the ink as a shadow, fades in, can be switched off, and leaves with the drawing",
+          "[find mode]") {
+    test::FigureSearcher figures(test::make_animals());
+    Kiosk kiosk(&figures);
+    const auto frames_until = [&](auto done) {
+        for (int i = 0; i < 1000 && !done(); ++i) {
+            kiosk.now_us += 16'667;
+            kiosk.find->update(kiosk.now_us);
+            std::this_thread::sleep_for(2ms);
+        }
+        return done();
+    };
+    CHECK(kiosk.state().shadows.empty());
+    kiosk.stroke(700, 300, 1000, 310);
+    kiosk.stroke(1000, 310, 980, 500);
+    REQUIRE(frames_until([&] { return !kiosk.state().shadows.empty(); }));
+    CHECK(kiosk.state().shadows[0].opacity < 0.5);
+    REQUIRE(frames_until([&] { return kiosk.state().shadows[0].opacity == 1; }));
+    const ui::ShadowPart shadow = kiosk.state().shadows[0];
+    CHECK(shadow.rect.x < 1000);
+    CHECK(shadow.rect.right() > 700);
+    kiosk.find->show_shadow(false);
+    CHECK(kiosk.state().shadows.empty());
+    kiosk.find->show_shadow(true);
+    CHECK(kiosk.state().shadows.size() == 1);
+    kiosk.tap(kiosk.layout().tools[4]);  // New
+    CHECK(kiosk.state().shadows.empty());
+    kiosk.find->update(kiosk.now_us + 500'000);
+    CHECK(kiosk.state().shadows.empty());
+}
+
 TEST_CASE("what a stroke brings between frames is searched without waiting for the next", "[find mode]") {
     test::FigureSearcher figures(test::make_animals());
     Kiosk kiosk(&figures);
