@@ -27,11 +27,12 @@ int main(int argc, char** argv) {
         }
     }
     std::filesystem::create_directories(folder);
+    const auto base = std::make_shared<test::StandBase>();
     for (const test::NamedScene& scene : test::all_scenes()) {
         if (!only.empty() && scene.name.find(only) == std::string::npos) continue;
         for (const ui::SizePx size : sizes) {
             if (all && scene.garment && !test::is_kept_at(scene, size)) continue;
-            test::KioskStand kiosk(size, scene.options);
+            test::KioskStand kiosk(size, scene.options, {}, {}, base);
             scene.go(kiosk);
             const std::filesystem::path file =
                 folder / (scene.name + "-" + std::to_string(size.width) + "x" + std::to_string(size.height) + ".png");

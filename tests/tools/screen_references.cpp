@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -50,13 +51,13 @@ core::RgbaImage smaller(const core::RgbaImage& image) {
     return out;
 }
 
-core::RgbaImage sheet_of(const test::NamedScene& scene) {
+core::RgbaImage sheet_of(const test::NamedScene& scene, const std::shared_ptr<test::StandBase>& base) {
     core::RgbaImage sheet;
     sheet.height = kHeight;
     std::vector<core::RgbaImage> pictures;
     for (const ui::SizePx size : test::all_sizes()) {
         if (!test::is_kept_at(scene, size)) continue;
-        test::KioskStand kiosk(size, scene.options);
+        test::KioskStand kiosk(size, scene.options, {}, {}, base);
         scene.go(kiosk);
         pictures.push_back(smaller(kiosk.picture()));
         sheet.width += pictures.back().width + (pictures.size() > 1 ? kGap : 0);
@@ -121,9 +122,10 @@ int main(int argc, char** argv) {
     const std::string only = argc > 2 ? argv[2] : "";
     const bool update = std::getenv("UPDATE_GOLDEN") != nullptr;
     int differing = 0, compared = 0;
+    const auto base = std::make_shared<test::StandBase>();
     for (const test::NamedScene& scene : test::all_scenes()) {
         if (!only.empty() && scene.name != only) continue;
-        const core::RgbaImage sheet = sheet_of(scene);
+        const core::RgbaImage sheet = sheet_of(scene, base);
         const std::filesystem::path file = folder / (scene.name + ".png");
         if (update) {
             if (!core::write_png(file, sheet)) return 1;

@@ -283,7 +283,7 @@ void recolour(LiftedModel& model, std::optional<int> only) {
         float clay = 1;
         std::array<float, 3> sum{};
         for (int c = 0; c < palette::kPartCount; ++c) {
-            const Colour& part = palette::kParts[static_cast<std::size_t>(c)];
+            const Colour& part = palette::parts()[static_cast<std::size_t>(c)];
             float share =
                 palette::kPartShare * static_cast<float>(model.weights[v][static_cast<std::size_t>(c)]) / 255.0F;
             if (only && *only != c) share *= static_cast<float>(kOthersShare);
