@@ -27,7 +27,13 @@ class GarmentHand {
     void tap(core::Point at_cm);
     /// Along a slider to a share of it; `lift` false: it stays held.
     void slide(const ui::Rect& slider, double share, bool lift = true);
-    void offset(double cm);
+    /// The stepper's number, by dragging and pressing: how far off the body, or where the plane of the view lies.
+    void number(double cm);
+    /// The wheel, and a drag with the other button: this place of the view comes to the middle, `times` as large as
+    /// when the figure is framed. 1: the figure as it was.
+    void zoom(double times, core::Point at_cm = {});
+    /// In the middle of what lines may be drawn on, this many centimetres to each side and up and down are seen.
+    [[nodiscard]] core::Point room_cm() const;
     /// The front of a skirt and its back, as a beginner draws them.
     void skirt();
 
@@ -37,7 +43,9 @@ class GarmentHand {
 
   private:
     [[nodiscard]] core::Point px(core::Point at_cm) const;
+    void wheel(double doublings, core::Point at_px, core::Point shift_px);
     KioskStand& kiosk_;
+    double zoomed_ = 1;
 };
 
 /// Opens Garment and does again what was recorded there.
