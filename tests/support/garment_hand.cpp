@@ -77,6 +77,16 @@ void GarmentHand::draw(const std::vector<core::Point>& through_cm, bool lift) {
     kiosk_.wait(0.05);
 }
 
+void GarmentHand::draw_sampled(const std::vector<core::Point>& at_cm) {
+    core::Point at;
+    for (std::size_t i = 0; i < at_cm.size(); ++i) {
+        at = px(at_cm[i]);
+        kiosk_.event(i == 0 ? Kind::Down : Kind::Move, at.x, at.y);
+    }
+    kiosk_.event(Kind::Up, at.x, at.y);
+    kiosk_.wait(0.05);
+}
+
 void GarmentHand::tap(core::Point at_cm) {
     const core::Point at = px(at_cm);
     kiosk_.tap(at.x, at.y);

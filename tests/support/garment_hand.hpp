@@ -24,6 +24,8 @@ class GarmentHand {
     void view(ui::GarmentView view);
     /// Through these places of the view, a sample every half centimetre. `lift` false: the pen stays down.
     void draw(const std::vector<core::Point>& through_cm, bool lift = true);
+    /// The same with a sample at each place alone.
+    void draw_sampled(const std::vector<core::Point>& at_cm);
     void tap(core::Point at_cm);
     /// Along a slider to a share of it; `lift` false: it stays held.
     void slide(const ui::Rect& slider, double share, bool lift = true);

@@ -68,7 +68,7 @@ class Copyist {
             else if (parts[k].points.size() == 1)
                 hand_.tap(parts[k].points.front());
             else
-                hand_.draw(parts[k].points);
+                hand_.draw_sampled(parts[k].points);
             if (k == 0 && parts.size() > 1 && parts[k].points.size() > 1) begin_at(parts[k].points.back(), step.name);
             hand_.zoom(1);
         }
@@ -111,24 +111,6 @@ class Copyist {
     test::KioskStand& kiosk_;
 };
 
-/// Lines that lie in the plane of the front come first in each layer: what is drawn on the body then ends on them.
-std::vector<core::DesignStep> in_drawing_order(std::vector<core::DesignStep> steps) {
-    const auto layer_end = [&](auto from) {
-        return std::find_if(from, steps.end(), [](const core::DesignStep& s) { return s.kind == Kind::Layer; });
-    };
-    const auto in_plane = [](const core::DesignStep& step) {
-        return step.kind == Kind::Line &&
-               std::all_of(step.stroke.begin(), step.stroke.end(),
-                           [](const core::StrokePart& part) { return part.tool.kind == Tool::PlaneXY; });
-    };
-    for (auto first = steps.begin(); first != steps.end();) {
-        const auto end = layer_end(first);
-        std::stable_partition(first, end, in_plane);
-        first = end == steps.end() ? end : end + 1;
-    }
-    return steps;
-}
-
 int draw(const std::string& name, const std::filesystem::path& out) {
     const std::filesystem::path folder = out / ("garment-" + name);
     std::filesystem::create_directories(folder);
@@ -141,7 +123,7 @@ int draw(const std::string& name, const std::filesystem::path& out) {
         test::GarmentHand hand(kiosk);
         hand.enter();
         Copyist copyist(hand, kiosk);
-        for (const core::DesignStep& step : in_drawing_order(design.steps)) copyist.draw(step);
+        for (const core::DesignStep& step : design.steps) copyist.draw(step);
         drawn = kiosk.garment->design();
         kiosk.garment->wipe(0, ui::Hand::Right);  // the trace is closed
     }
