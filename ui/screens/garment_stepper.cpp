@@ -71,7 +71,7 @@ void add_stepper_targets(std::vector<BoardTouch::Target>& all, const GarmentLayo
 }
 
 void draw_plane_traces(DrawList& list, const GarmentState& state, const GarmentLayout& layout) {
-    const auto width = static_cast<float>(std::max(1.0, layout.px(1.5)));
+    const auto width = static_cast<float>(std::max(1.0, layout.px(1)));
     for (const PlaneTrace& trace : state.plane_traces) {
         std::vector<InkPiece> pieces;
         for (std::size_t i = 0; i + 1 < trace.px.size(); ++i) {
