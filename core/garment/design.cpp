@@ -186,12 +186,12 @@ Result<SpaceLine> DesignRunner::drawn_line(const DesignStep& step) const {
     return line;
 }
 
-DesignStep DesignRunner::snapped(DesignStep step) const {
+DesignStep DesignRunner::snapped(DesignStep step, double reach_cm) const {
     if (!has_ends(step.kind)) return step;
     const Result<SpaceLine> line = drawn_line(step);
     if (!line) return step;
     const auto name_at = [&](Vec3 end) {
-        const SnapTarget target = snap_target(network_, layer_, landmarks(), end, settings_.network.snap_cm, false);
+        const SnapTarget target = snap_target(network_, layer_, landmarks(), end, reach_cm, false);
         return target.kind == SnapTarget::Kind::Landmark ? target.name : std::string();
     };
     if (step.starts_at.empty() && !step.starts_to) step.starts_at = name_at(line->front());

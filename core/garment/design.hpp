@@ -167,9 +167,9 @@ class DesignRunner {
     /// Body finish the layers below the one that is drawn on, unless these were finished before.
     [[nodiscard]] Result<DesignStep> take(const DesignStep& step);
 
-    /// The step of a line or cut with its ends put to the landmarks they are near to, unless they meet a vertex there:
-    /// what the screen makes of a stroke before it takes it. Other steps as they are.
-    [[nodiscard]] DesignStep snapped(DesignStep step) const;
+    /// The step of a line or cut with its ends put to the landmarks nearer than `reach_cm`, unless they meet a vertex
+    /// there: what the screen makes of a stroke before it takes it. Other steps as they are.
+    [[nodiscard]] DesignStep snapped(DesignStep step, double reach_cm) const;
 
     /// The line of a Line, Cut or Hole step: lifted, without the trembling of the hand, its ends at their landmarks.
     [[nodiscard]] Result<SpaceLine> drawn_line(const DesignStep& step) const;

@@ -1,5 +1,6 @@
 #include "core/garment/drawing.hpp"
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -60,6 +61,14 @@ Result<DrawingView> named_view(std::string_view name) {
     if (name == "right") return DrawingView{{}, z, y, x * -1.0};
     if (name == "top") return DrawingView{{}, x, z * -1.0, y};
     return bad("There is no view \"" + std::string(name) + "\"; there are front, back, left, right, top.");
+}
+
+int axis_toward(const DrawingView& view) {
+    const std::array<double, 3> along{std::abs(view.toward.x), std::abs(view.toward.y), std::abs(view.toward.z)};
+    int axis = 2;
+    for (int k : {0, 1})
+        if (along[static_cast<std::size_t>(k)] > along[static_cast<std::size_t>(axis)]) axis = k;
+    return axis;
 }
 
 Result<DrawingView> perspective_view(Vec3 eye, Vec3 target) {
@@ -142,7 +151,8 @@ Result<std::optional<Vec3>> StrokeLifter::lift(Point at) const {
     if (!anchor_)
         return bad("The stroke begins in the temporary plane, which passes through the last point drawn before.");
     const Point moved = at - anchor_->drawn;
-    return std::optional<Vec3>(anchor_->place + view_.right * moved.x - view_.toward * moved.y);
+    return std::optional<Vec3>(anchor_->place + view_.right * moved.x - view_.toward * moved.y +
+                               view_.up * tool_.offset);
 }
 
 Result<void> StrokeLifter::add(Point at) {

@@ -35,6 +35,9 @@ struct DrawingView {
 /// BadArgument for another name.
 [[nodiscard]] Result<DrawingView> named_view(std::string_view name);
 
+/// The axis that a view looks along most: 0 x, 1 y, 2 z. Planes drawn on in that view lie across it.
+[[nodiscard]] int axis_toward(const DrawingView& view);
+
 /// From `eye` to `target`, y up as far as possible. The two must not coincide: ErrorCode::BadArgument.
 [[nodiscard]] Result<DrawingView> perspective_view(Vec3 eye, Vec3 target);
 
@@ -45,7 +48,7 @@ struct DrawingTool {
         PlaneXZ,    ///< y = offset
         PlaneYZ,    ///< x = offset
         Temporary,  ///< the drawing turned about the view's right axis through the last point, into the view: up is
-                    ///< away
+                    ///< away; the plane lies `offset` above that point, as the view sees it
         Piece       ///< Cut, Hole: on the piece as it is filled; what passes beside it is left out
     };
     Kind kind = Kind::Body;

@@ -243,11 +243,17 @@ void FigureViews::draw_large() {
     ++revision_;
 }
 
-void FigureViews::draw_tile(std::size_t tile) {
+ui::FigureCamera FigureViews::tile_camera(std::size_t tile) const {
     const ui::Rect& r = layout_.tile_pictures[tile];
     const double top = std::round(layout_.px(10)), foot = std::round(layout_.px(8));
-    const ui::Rect box{4, top, r.width - 8, r.height - top - foot};
-    stage_.draw(ui::framed(view_of(tiles_[tile]), box, height_cm_ + kHeadRoom_cm), look(false), small_[tile]);
+    const ui::Rect box{r.x + 4, r.y + top, r.width - 8, r.height - top - foot};
+    return ui::framed(view_of(tiles_[tile]), box, height_cm_ + kHeadRoom_cm);
+}
+
+void FigureViews::draw_tile(std::size_t tile) {
+    ui::FigureCamera camera = tile_camera(tile);
+    camera.centre_px = camera.centre_px - core::Point{layout_.tile_pictures[tile].x, layout_.tile_pictures[tile].y};
+    stage_.draw(camera, look(false), small_[tile]);
     tile_due_[tile] = false;
     ++revision_;
 }

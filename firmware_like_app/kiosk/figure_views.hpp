@@ -58,6 +58,9 @@ class FigureViews {
     /// Of the large picture, in pixels of the screen.
     [[nodiscard]] const ui::FigureCamera& camera() const { return camera_; }
 
+    /// Of a small picture, in pixels of the screen.
+    [[nodiscard]] ui::FigureCamera tile_camera(std::size_t tile) const;
+
     /// Turns the 3D view; the others have their place.
     void turn(double azimuth_rad, double elevation_rad);
     void move_by(core::Point px);

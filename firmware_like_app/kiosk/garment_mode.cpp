@@ -213,8 +213,9 @@ void GarmentMode::choose_piece() {
     }
 }
 
-/// Between two ends on the middle plane: straight, and outside of the body where that bulges.
-void GarmentMode::close_middle(const core::DeskNote& from, std::int64_t now_us) {
+/// Between two ends on the middle plane: straight, and outside of the body where that bulges. False where there is no
+/// other end on this side.
+bool GarmentMode::close_middle(const core::DeskNote& from, std::int64_t now_us) {
     const core::DeskNote* to = nullptr;
     const std::vector<core::DeskNote> middles = open_middles(*desk_);
     for (const core::DeskNote& other : middles) {
@@ -223,10 +224,7 @@ void GarmentMode::close_middle(const core::DeskNote& from, std::int64_t now_us) 
         if (apart < 1 || !same_side) continue;
         if (to == nullptr || apart < core::length(to->place - from.place)) to = &other;
     }
-    if (to == nullptr) {
-        problem_ = words()["middle_needs_two"];
-        return;
-    }
+    if (to == nullptr) return false;
     const core::DrawingView side = *core::named_view("left");
     core::DeskSettings& settings = desk_->settings();
     settings.tool = core::DeskTool::DrawOnPlane;
@@ -236,7 +234,8 @@ void GarmentMode::close_middle(const core::DeskNote& from, std::int64_t now_us) 
         core::Vec3 place = from.place + (to->place - from.place) * (static_cast<double>(i) / steps);
         if (i > 0 && i < steps) {
             const core::FieldSample field = desk_->state().obstacle().sample(place);
-            if (field.distance < offset_cm_) place = place + field.gradient * (offset_cm_ - field.distance);
+            const double off = stepper_.offset_cm() - field.distance;
+            if (off > 0) place = place + field.gradient * off;
         }
         place.x = 0;
         if (i == 0) {
@@ -248,6 +247,7 @@ void GarmentMode::close_middle(const core::DeskNote& from, std::int64_t now_us) 
     const core::DeskReply reply = desk_->end();
     settings.plane_cm.reset();
     take_reply(reply, now_us);
+    return true;
 }
 
 /// What an act brought: notes, a tape, another design.
@@ -411,7 +411,11 @@ void GarmentMode::hold_slider(const ui::Intent& intent, const ui::WindowEvent& e
         slide(event.x);
     } else if (what.action == ui::GarmentAction::Less || what.action == ui::GarmentAction::More) {
         repeat_by_ = what.action == ui::GarmentAction::More ? 1 : -1;
+        repeats_ = 0;
         repeat_us_ = event.time_us + kRepeatAfter_us;
+    } else if (what.action == ui::GarmentAction::Number) {
+        hold_ = Hold::Number;
+        number_start_cm_ = stepper_.cm(stepper_of()).value_or(last_place_cm(stepper_of()));
     }
 }
 
@@ -437,8 +441,7 @@ void GarmentMode::touch_sheet(const ui::WindowEvent& event) {
     hold_ = Hold::Drawing;
     core::DeskSettings& settings = desk_->settings();
     settings.tool = desk_tool();
-    settings.offset_cm = offset_cm_;
-    settings.plane_cm.reset();
+    stepper_.set(settings, views_.camera().view);
     const double scale = views_.camera().scale_px;
     const bool grasps = tool_ == ui::GarmentTool::Move || tool_ == ui::GarmentTool::Weld ||
                         tool_ == ui::GarmentTool::Corner || erasing_ || tool_ == ui::GarmentTool::Eraser;
@@ -470,6 +473,9 @@ void GarmentMode::drag(const ui::WindowEvent& event) {
         case Hold::Folds:
         case Hold::Measure:
             slide(event.x);
+            break;
+        case Hold::Number:
+            if (moved_) stepper_.drag(stepper_of(), number_start_cm_, (at.x - down_px_.x) / layout_.scale);
             break;
         case Hold::Board:
             touch_.move(event.x, event.y);
@@ -517,6 +523,9 @@ void GarmentMode::release(const ui::WindowEvent& event) {
     } else if (held == Hold::Measure) {
         touch_.cancel();
         keep_body(event.time_us);
+    } else if (held == Hold::Number) {
+        touch_.cancel();
+        if (!moved_) stepper_.toggle(stepper_of(), number_start_cm_);
     } else if (held == Hold::Board) {
         touch_.move(event.x, event.y);
         if (const auto intent = touch_.release()) act(*intent, event.time_us);
@@ -526,21 +535,28 @@ void GarmentMode::release(const ui::WindowEvent& event) {
 void GarmentMode::end_stroke(const ui::WindowEvent& event) {
     stroke_px_.clear();
     drawing_due_ = live_due_ = true;
-    const bool line = core::draws_line(desk_->settings().tool) && desk_->settings().tool != core::DeskTool::Add;
-    if (!moved_ && line) {  // a tap with a drawing tool picks
-        desk_->cancel();
-        for (const core::DeskNote& middle : open_middles(*desk_)) {
-            const core::Point at = views_.camera().to_px(middle.place);
-            if (core::distance(at, {event.x, event.y}) < layout_.px(kGrasp_px)) {
-                close_middle(middle, event.time_us);
-                return;
-            }
-        }
-        select_at({event.x, event.y});
-        return;
-    }
+    if (!moved_ && core::goes_on_with(desk_->settings().tool)) return end_tap(event);
     take_reply(desk_->end(), event.time_us);
     erasing_ = false;
+}
+
+/// With a tool that draws lines: the line that goes on gets a point; an end, or a corner, begins one that does; what
+/// else is touched is chosen.
+void GarmentMode::end_tap(const ui::WindowEvent& event) {
+    if (desk_->goes_on()) return take_reply(desk_->end_tapped(), event.time_us);
+    desk_->cancel();
+    const bool from_side = views_.view() == ui::GarmentView::Side || views_.view() == ui::GarmentView::OtherSide;
+    for (const core::DeskNote& middle : open_middles(*desk_)) {  // seen from the side it is drawn
+        const core::Point at = views_.camera().to_px(middle.place);
+        const bool met = !from_side && core::distance(at, {event.x, event.y}) < layout_.px(kGrasp_px);
+        if (met && close_middle(middle, event.time_us)) return;
+    }
+    if (desk_->go_on(views_.camera().view, views_.camera().to_drawing({event.x, event.y}))) {
+        problem_.clear();
+        notes_.clear();
+        return;
+    }
+    select_at({event.x, event.y});
 }
 
 void GarmentMode::select_at(core::Point px) {
@@ -596,7 +612,8 @@ void GarmentMode::cancel_pointer(std::int64_t now_us) {
 /// A stepper that is held goes on stepping: as often as its time allows, whenever frames come.
 void GarmentMode::repeat_until(std::int64_t now_us) {
     while (repeat_us_ && now_us >= *repeat_us_) {
-        step_offset(repeat_by_);
+        step_number(repeat_by_);
+        ++repeats_;
         repeat_us_ = *repeat_us_ + kRepeatEvery_us;
         repeated_ = true;
     }
@@ -658,7 +675,8 @@ void GarmentMode::project() {
     SheetWishes wishes;
     wishes.shaping =
         tool_ == T::Move || tool_ == T::Weld || tool_ == T::Corner || tool_ == T::Smooth || tool_ == T::Bump;
-    wishes.selected_line = line_;
+    const core::LineGoingOn* going = desk_->line_going_on();
+    wishes.selected_line = going != nullptr ? going->name : line_;
     drawing_ = draw_sheet(*desk_, views_, wishes);
     make_washes();
 }
@@ -706,7 +724,7 @@ void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
     const bool worked = desk_ && (has_work() || desk_->state().settings().body.cm != GarmentBody().measures().cm);
     tool_ = ui::GarmentTool::OnBody;
     page_ = 0;
-    offset_cm_ = 1.2;
+    stepper_ = GarmentStepper();
     quads_ = body_shown_ = true;
     history_shown_ = false;
     drawer_ = ui::GarmentDrawer::None;

@@ -20,6 +20,7 @@
 #include "firmware_like_app/kiosk/garment_builder.hpp"
 #include "firmware_like_app/kiosk/garment_keeper.hpp"
 #include "firmware_like_app/kiosk/garment_sheet.hpp"
+#include "firmware_like_app/kiosk/garment_stepper.hpp"
 #include "firmware_like_app/kiosk/garment_trace.hpp"
 #include "firmware_like_app/kiosk/mode.hpp"
 #include "ui/draw/painter.hpp"
@@ -86,14 +87,14 @@ class GarmentMode final : public Mode {
     GarmentMode(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages, const GarmentOptions& options,
                 ui::SizePx screen, ui::Painter painter, FigureViews views);
     /// What the pointer does between its down and its up.
-    enum class Hold { None, Board, Drawing, Turning, Moving, Folds, Measure, List, Gesture };
+    enum class Hold { None, Board, Drawing, Turning, Moving, Folds, Measure, Number, List, Gesture };
 
     // desk
     void ready_desk();
     void take_reply(const core::DeskReply& reply, std::int64_t now_us);
     void note(const core::DeskNote& note);
     void choose_piece();
-    void close_middle(const core::DeskNote& from, std::int64_t now_us);
+    bool close_middle(const core::DeskNote& from, std::int64_t now_us);
     void request_cloth();
     void take_cloth();
     void show_cloth();
@@ -111,6 +112,7 @@ class GarmentMode final : public Mode {
     void drag(const ui::WindowEvent& event);
     void release(const ui::WindowEvent& event);
     void end_stroke(const ui::WindowEvent& event);
+    void end_tap(const ui::WindowEvent& event);
     void select_at(core::Point px);
     void hold_slider(const ui::Intent& intent, const ui::WindowEvent& event);
     void slide(double x);
@@ -123,12 +125,12 @@ class GarmentMode final : public Mode {
     void act(const ui::Intent& intent, std::int64_t now_us);
     void act(const ui::GarmentIntent& intent, std::int64_t now_us);
     void choose_tool(ui::GarmentTool tool, std::int64_t now_us);
+    void finish_line();
     void choose_view(std::size_t tile);
     void press_row(std::size_t row, std::int64_t now_us);
     void press_eye(std::size_t row, std::int64_t now_us);
     void move_row(std::size_t row, int by, std::int64_t now_us);
     void open_drawer(ui::GarmentDrawer drawer);
-    void step_offset(int steps);
     void choose_fabric(std::size_t fabric, std::int64_t now_us);
     void choose_colour(std::size_t colour, std::int64_t now_us);
     void try_body();
@@ -146,6 +148,12 @@ class GarmentMode final : public Mode {
     void gallery_pointer(const ui::WindowEvent& event);
     void press_gallery(std::size_t item, std::int64_t now_us);
     void open_kept(std::int64_t id);
+
+    // where lines lie
+    [[nodiscard]] ui::StepperOf stepper_of() const;
+    [[nodiscard]] double last_place_cm(ui::StepperOf what) const;
+    void step_number(int direction);
+    void fill_planes(ui::GarmentState& state) const;
 
     // state
     void relayout(ui::SizePx screen, ui::Hand hand);
@@ -174,7 +182,7 @@ class GarmentMode final : public Mode {
 
     ui::GarmentTool tool_ = ui::GarmentTool::OnBody;
     std::size_t page_ = 0;
-    double offset_cm_ = 1.2;
+    GarmentStepper stepper_;
     bool quads_ = true, body_shown_ = true, history_shown_ = false;
     ui::GarmentDrawer drawer_ = ui::GarmentDrawer::None;
     GarmentBody body_;
@@ -205,7 +213,8 @@ class GarmentMode final : public Mode {
     std::string folds_piece_;
     double scroll_px_ = 0, scroll_start_px_ = 0;
     std::optional<std::int64_t> repeat_us_;  // of a stepper that is held: the next step
-    int repeat_by_ = 0;
+    int repeat_by_ = 0, repeats_ = 0;
+    double number_start_cm_ = 0;  // of the stepper, while its number is dragged
     std::unique_ptr<GarmentRecorder> recorder_;
     bool recording_failed_ = false;
 

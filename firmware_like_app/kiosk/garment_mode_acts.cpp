@@ -1,18 +1,11 @@
 // What the board's controls do.
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
 #include "firmware_like_app/kiosk/garment_mode.hpp"
 
 namespace app {
-namespace {
-
-constexpr double kOffsetStep_cm = 0.1, kMostOffset_cm = 20;
-
-}  // namespace
 
 void GarmentMode::act(const ui::Intent& intent, std::int64_t now_us) {
     switch (intent.control) {
@@ -23,7 +16,10 @@ void GarmentMode::act(const ui::Intent& intent, std::int64_t now_us) {
             if (desk_) take_reply(desk_->undo(), now_us);
             break;
         case ui::Control::Redo:
-            if (desk_) take_reply(desk_->redo(), now_us);
+            if (desk_ && desk_->goes_on())
+                finish_line();
+            else if (desk_)
+                take_reply(desk_->redo(), now_us);
             break;
         case ui::Control::Language:
             options_.language = intent.item;
@@ -53,7 +49,8 @@ void GarmentMode::act(const ui::GarmentIntent& intent, std::int64_t now_us) {
             break;
         case A::Less:
         case A::More:
-            if (!repeated_) step_offset(intent.action == A::More ? 1 : -1);  // held, it has repeated
+            repeats_ = 0;
+            if (!repeated_) step_number(intent.action == A::More ? 1 : -1);  // held, it has repeated
             break;
         case A::ShowLayers:
         case A::ShowHistory:
@@ -149,6 +146,13 @@ void GarmentMode::choose_tool(ui::GarmentTool tool, std::int64_t now_us) {
         return;
     }
     tool_ = tool;
+    if (!core::goes_on_with(desk_tool())) finish_line();
+}
+
+/// The next stroke is another line.
+void GarmentMode::finish_line() {
+    desk_->finish_line();
+    drawing_due_ = true;
 }
 
 void GarmentMode::choose_view(std::size_t tile) {
@@ -202,10 +206,6 @@ void GarmentMode::open_drawer(ui::GarmentDrawer drawer) {
     drawer_ = drawer;
     body_problem_.clear();
     scroll_px_ = 0;
-}
-
-void GarmentMode::step_offset(int steps) {
-    offset_cm_ = std::clamp(std::round((offset_cm_ + steps * kOffsetStep_cm) * 10) / 10, 0.0, kMostOffset_cm);
 }
 
 /// All pieces of the layer that is worked on.

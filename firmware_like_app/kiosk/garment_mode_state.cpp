@@ -14,7 +14,7 @@ namespace app {
 namespace {
 
 constexpr int kFirstFabric = 20, kFirstWash = 40;
-constexpr double kAxisAbove_cm = 4, kPlaneHalf_cm = 38;
+constexpr double kAxisAbove_cm = 4;
 constexpr double kNotedGap_cm = 15;  // wider ones are lines still to come, not mistakes
 
 const char* key_of(core::DesignStep::Kind kind) {
@@ -126,7 +126,6 @@ void GarmentMode::fill_stroke(ui::GarmentState& state) const {
             state.handles_px.push_back(stroke_px_.back());
             state.held_handle = state.handles_px.size() - 1;
         }
-        if (preview.plane) state.plane_px = projected_plane(*preview.plane, camera, kPlaneHalf_cm);
         for (const core::SnapTarget* snap : {&preview.start, &preview.end}) {
             if (snap->kind == core::SnapTarget::Kind::None || !core::draws_line(tool)) continue;
             state.handles_px.push_back(camera.to_px(snap->place));
@@ -177,7 +176,9 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     state.view = views_.view();
     state.tiles = views_.tiles();
     for (std::size_t i = 0; i < state.tile_pictures.size(); ++i) state.tile_pictures[i] = FigureViews::tile_picture(i);
-    state.offset_cm = offset_cm_;
+    state.offset_cm = stepper_.offset_cm();
+    state.stepper = stepper_.shown(stepper_of());
+    state.stepper.held = hold_ == Hold::Number && moved_;
     state.quads = quads_;
     state.cleared = cleared_;
     state.history_shown = history_shown_;
@@ -201,7 +202,8 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
         state.problem = failure_;
         return state;
     }
-    state.can_undo = desk_->can_undo();
+    state.line_goes_on = desk_->goes_on();
+    state.can_undo = desk_->can_undo() || state.line_goes_on;
     state.can_redo = desk_->can_redo();
     state.empty = desk_->network().lines().empty();
     state.mirror = desk_->state().look().mirror;
@@ -241,6 +243,7 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
                          views_.camera().to_px({0, -kAxisAbove_cm, 0})};
     }
     fill_stroke(state);
+    fill_planes(state);
     // rows may have become fewer since the list was scrolled
     state.scroll_px = std::min(state.scroll_px, ui::GarmentScreen::most_scroll_px(state, layout_));
     return state;

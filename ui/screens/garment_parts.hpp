@@ -14,6 +14,14 @@ struct GarmentType {
 };
 [[nodiscard]] GarmentType garment_type(const GarmentLayout& layout);
 
+/// The number as it is shown, with its unit.
+[[nodiscard]] std::string stepper_number(const Strings& words, const Stepper& stepper);
+void draw_garment_stepper(DrawList& list, const FontSet& fonts, const Strings& words, const GarmentState& state,
+                          const GarmentLayout& layout);
+void add_stepper_targets(std::vector<BoardTouch::Target>& all, const GarmentLayout& layout);
+/// The plane that is drawn in, over the small views.
+void draw_plane_traces(DrawList& list, const GarmentState& state, const GarmentLayout& layout);
+
 /// Layers or history, with their heads.
 void draw_garment_list(DrawList& list, const FontSet& fonts, const Strings& words, const GarmentState& state,
                        const GarmentLayout& layout);

@@ -47,6 +47,10 @@ ToolFace face_of(const GarmentIntent& slot) {
     }
 }
 
+bool draws_lines(GarmentTool t) {
+    return t == GarmentTool::OnPlane || t == GarmentTool::OnBody || t == GarmentTool::TemporaryPlane;
+}
+
 GarmentIntent tool(GarmentTool t) {
     return {GarmentAction::Tool, static_cast<std::size_t>(t)};
 }
@@ -97,9 +101,10 @@ class Drawer {
             state_.pressed == Control::Mode ? std::optional<std::size_t>(state_.pressed_item) : std::nullopt,
             type_.switched.size_px);
         tools();
-        stepper();
+        draw_garment_stepper(list_, fonts_, words_, state_, l_);
         pages();
         tiles();
+        draw_plane_traces(list_, state_, l_);
         if (!l_.upright) {
             draw_garment_list(list_, fonts_, words_, state_, l_);
             draw_garment_folds(list_, fonts_, words_, state_, l_);
@@ -163,12 +168,16 @@ class Drawer {
 
     [[nodiscard]] std::string where() const {
         const std::string view = words_[view_key(state_.view)];
+        if (state_.line_goes_on) return words_["line_goes_on"];
         const bool draws = state_.tool == GarmentTool::OnPlane || state_.tool == GarmentTool::OnBody;
         if (state_.view == GarmentView::Solid && (draws || state_.drawer != GarmentDrawer::None)) {
             return words_["drag_beside"];
         }
         switch (state_.tool) {
             case GarmentTool::OnPlane:
+                if (state_.stepper.cm)
+                    return filled_in(words_["lines_plane_at"],
+                                     {{"view", view}, {"x", stepper_number(words_, state_.stepper)}});
                 return filled_in(words_["lines_plane"], {{"view", view}});
             case GarmentTool::OnBody:
                 return filled_in(words_["lines_body"], {{"x", tenths_in(words_, state_.offset_cm)}});
@@ -192,8 +201,10 @@ class Drawer {
             list_.text(fonts_, line, type_.where, colour, l_.name_x, y);
             y += type_.where.size_px * 1.4;
         }
-        if (state_.empty && state_.problem.empty() && !state_.line_open) {
-            for (const std::string& line : fonts_.wrap(words_["garment_hint"], type_.where, width)) {
+        const bool can_go_on = !state_.open_ends_px.empty() && !state_.line_goes_on && draws_lines(state_.tool);
+        if ((state_.empty || can_go_on) && state_.problem.empty() && !state_.line_open) {
+            const char* hint = state_.empty ? "garment_hint" : "hint_go_on";
+            for (const std::string& line : fonts_.wrap(words_[hint], type_.where, width)) {
                 list_.text(fonts_, line, type_.where, palette::kMuted, l_.name_x, y + l_.px(10));
                 y += type_.where.size_px * 1.4;
             }
@@ -237,7 +248,10 @@ class Drawer {
                         garment_item(slots[i]->action, slots[i]->index), chosen(*slots[i]), on);
         }
         tool_button(l_.undo, Icon::Undo, words_["tool_undo"], Control::Undo, 0, false, state_.can_undo);
-        tool_button(l_.redo, Icon::Redo, words_["tool_redo"], Control::Redo, 0, false, state_.can_redo);
+        if (state_.line_goes_on)  // live, and so marked
+            tool_button(l_.redo, Icon::Check, words_["tool_finish"], Control::Redo, 0, true, true);
+        else
+            tool_button(l_.redo, Icon::Redo, words_["tool_redo"], Control::Redo, 0, false, state_.can_redo);
     }
 
     [[nodiscard]] bool chosen(const GarmentIntent& slot) const {
@@ -245,29 +259,6 @@ class Drawer {
         if (slot.action != GarmentAction::Tool) return false;
         if (slot.index == static_cast<std::size_t>(GarmentTool::Mirror)) return state_.mirror;
         return slot.index == static_cast<std::size_t>(state_.tool);
-    }
-
-    void stepper() {
-        const Rect& r = l_.stepper;
-        draw_fitted(list_, fonts_, words_["offset_from_body"], type_.caption, palette::kMuted, r.x,
-                    l_.offset_label_baseline, r.width, Align::Left);
-        list_.box(r, r.height / 2, palette::kWell);
-        // small screens: knobs are drawn smaller than what they take, so that the number has room
-        const double d = l_.compact ? l_.px(44) : r.height - 2 * std::round(r.height / 18);
-        const double inset = l_.compact ? l_.px(6) : std::round(r.height / 18);
-        const auto knob = [&](double x, Icon icon, GarmentAction action, bool on) {
-            Rect k{x, r.centre_y() - d / 2, d, d};
-            if (down(action)) k = scaled(k, 0.94);
-            list_.box(k, d / 2, down(action) ? palette::kLine : palette::kSheet);
-            const double size = l_.px(l_.compact ? 24 : 28);
-            list_.icon(icon, k.centre_x(), k.centre_y(), size, size / 32 * 3,
-                       palette::kInk.faded(on ? 1.0F : palette::kOffShare));
-        };
-        knob(r.x + inset, Icon::Minus, GarmentAction::Less, state_.offset_cm > 0);
-        knob(r.right() - inset - d, Icon::Plus, GarmentAction::More, state_.offset_cm < 20);
-        draw_fitted(list_, fonts_, tenths_in(words_, state_.offset_cm) + " cm", type_.number, palette::kInk,
-                    r.centre_x(), r.centre_y() + cap_drop(type_.number), r.width - 2 * d - (l_.compact ? 2 : 4) * inset,
-                    Align::Centre);
     }
 
     void pages() {
@@ -427,10 +418,8 @@ std::vector<BoardTouch::Target> GarmentScreen::targets(const GarmentState& state
         add(slots[i]->action, slots[i]->index, layout.tools[i]);
     }
     if (state.can_undo) all.push_back({Control::Undo, 0, layout.undo});
-    if (state.can_redo) all.push_back({Control::Redo, 0, layout.redo});
-    const Rect& s = layout.stepper;
-    add(A::Less, 0, {s.x, s.y, std::max(64.0, s.height), s.height});
-    add(A::More, 0, {s.right() - std::max(64.0, s.height), s.y, std::max(64.0, s.height), s.height});
+    if (state.can_redo || state.line_goes_on) all.push_back({Control::Redo, 0, layout.redo});
+    add_stepper_targets(all, layout);
     const std::vector<Rect> pages = switch_segments(layout.pages, kGarmentPages);
     for (std::size_t i = 0; i < kGarmentPages; ++i) add(A::Page, i, pages[i]);
     for (std::size_t i = 0; i < kGarmentTiles; ++i) add(A::View, i, layout.tiles[i]);

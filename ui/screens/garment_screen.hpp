@@ -47,6 +47,7 @@ enum class GarmentAction {
     View,  ///< index: tile
     Less,
     More,
+    Number,  ///< of the stepper: dragged it changes, a tap lets a plane go
     ShowLayers,
     ShowHistory,
     Row,  ///< index: in the list, from the top
@@ -127,6 +128,25 @@ struct FabricTile {
     friend bool operator==(const FabricTile&, const FabricTile&) = default;
 };
 
+/// What the stepper below the tools sets: how far off the body lines lie; where the plane of the view lies from the
+/// middle of the body, to the front, to its left, or from the floor; how far above its point the temporary plane is.
+enum class StepperOf { Offset, Depth, Across, Height, AbovePoint };
+
+struct Stepper {
+    StepperOf of = StepperOf::Offset;
+    std::optional<double> cm;  ///< none: the plane passes through what a stroke starts at
+    bool less = true, more = true;
+    bool held = false;
+    friend bool operator==(const Stepper&, const Stepper&) = default;
+};
+
+/// The plane that is drawn in, as a small view shows it.
+struct PlaneTrace {
+    std::size_t tile = 0;
+    core::Polyline px;
+    friend bool operator==(const PlaneTrace&, const PlaneTrace&) = default;
+};
+
 /// Words at a place of the sheet: what keeps an outline open, what the tape reads.
 struct PlacedNote {
     std::string words;
@@ -148,11 +168,14 @@ struct GarmentState {
     std::array<GarmentView, kGarmentTiles> tiles{GarmentView::Front, GarmentView::Side, GarmentView::Back,
                                                  GarmentView::Solid};
     std::array<PictureId, kGarmentTiles> tile_pictures{};
-    double offset_cm = 1.2;
+    double offset_cm = 1.2;  ///< of lines on the body
+    Stepper stepper;
+    std::vector<PlaneTrace> plane_traces;
     bool can_undo = false, can_redo = false, empty = true, cleared = false;
     bool mirror = true, quads = true;
     bool designs_kept = false;  ///< there is a gallery
     bool line_open = false;     ///< the pen is down
+    bool line_goes_on = false;  ///< the next stroke goes on with the last line
 
     std::vector<LayerRow> rows;
     std::vector<HistoryRow> history;

@@ -21,4 +21,11 @@ namespace core {
     return {key, error.message, place, {}, 0.0};
 }
 
+/// A reply that did nothing but say why.
+[[nodiscard]] inline DeskReply told(const char* key, const char* sentence, Vec3 place) {
+    DeskReply reply;
+    reply.notes.push_back({key, sentence, place, {}, 0.0});
+    return reply;
+}
+
 }  // namespace core

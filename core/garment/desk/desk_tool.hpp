@@ -34,11 +34,17 @@ enum class DeskTool {
            tool == DeskTool::Add;
 }
 
+/// Whether a line that such a tool draws may go on with another of them.
+[[nodiscard]] constexpr bool goes_on_with(DeskTool tool) {
+    return draws_line(tool) && tool != DeskTool::Add;
+}
+
 struct DeskSettings {
     DeskTool tool = DeskTool::DrawOnPlane;
     double offset_cm = 1.0;  ///< from the body
     /// Where the plane lies along its axis; none: through the vertex or line that the stroke starts at, else at 0.
     std::optional<double> plane_cm;
+    double temporary_cm = 0.0;     ///< of the temporary plane from its point, upwards in the view
     double reach_cm = 1.5;         ///< how far from the pen a vertex or line is met, in the view
     double move_radius_cm = 12.0;  ///< Move: how far its neighbours follow
     double wave_cm = 8.0;          ///< Bump: length of a wave

@@ -71,6 +71,7 @@ Result<GarmentDesk> GarmentDesk::open(Design design, const DressForm& form, Form
 /// Takes steps as one act; all or, where one fails, none of them.
 DeskReply GarmentDesk::act(const std::vector<DesignStep>& steps, bool closes) {
     cancel();
+    finish_line();
     DeskReply reply;
     DesignRunner next = state();
     std::vector<DesignStep> saved;
@@ -336,6 +337,7 @@ DeskReply GarmentDesk::unplace(const std::string& name) {
 
 DeskReply GarmentDesk::go_to(std::size_t place) {
     cancel();
+    finish_line();
     place = std::min(place, history_.acts());
     if (place == history_.place()) return {};
     history_.go_to(place);
@@ -346,6 +348,7 @@ DeskReply GarmentDesk::go_to(std::size_t place) {
 }
 
 DeskReply GarmentDesk::undo() {
+    if (going_) return take_back_stroke();
     return can_undo() ? go_to(history_.place() - 1) : DeskReply{};
 }
 
@@ -355,6 +358,7 @@ DeskReply GarmentDesk::redo() {
 
 Result<void> GarmentDesk::replay(const JournalEvent& event) {
     cancel();
+    finish_line();
     live_.reset();
     live_shown_ = false;
     ++number_;

@@ -39,6 +39,9 @@ struct StrokePreview {
     SnapTarget start, end;  ///< what its ends would be joined to
 };
 
+/// The plane across an axis, 0 x, 1 y, 2 z, at this place of it.
+[[nodiscard]] StrokePreview::Plane plane_across(int axis, double at);
+
 /// A row of the layers list.
 struct LayerRow {
     int layer = 0;
@@ -48,10 +51,17 @@ struct LayerRow {
     std::string clash;  ///< what fitting left unresolved, one sentence; empty when all is well
 };
 
+/// How a part of a stroke was drawn.
+struct PartHand {
+    DeskTool tool = DeskTool::DrawOnPlane;
+    bool placed = false;  ///< in a plane that the designer had put there: no landmark draws its end out of it
+};
+
 /// A stroke that the pen is at; the desk's own.
 struct OpenStroke {
+    DeskTool tool = DeskTool::Select;  // as the pen came down
     SketchStroke parts;
-    std::vector<DeskTool> tools;  // of each part
+    std::vector<PartHand> hands;  // of each part
     std::unique_ptr<QuadMesh> piece;
     std::unique_ptr<StrokeLifter> lifter;
     bool lifted = false;  // paused
@@ -60,6 +70,16 @@ struct OpenStroke {
     std::optional<Network> dragged;
     DrawingView view;  // of the first and last sample
     Point first, last;
+};
+
+/// A line that stays open from stroke to stroke; the desk's own.
+struct LineGoingOn {
+    SketchStroke parts;
+    std::vector<PartHand> hands;
+    std::vector<std::size_t> strokes;  // how many parts there were after each stroke of the pen
+    std::string name;                  // of the line; empty before there is one
+    std::size_t place = 0;             // of the history before it
+    Vec3 from, end;                    // from: the vertex that it began at, where it began at one
 };
 
 class GarmentDesk {
@@ -84,6 +104,22 @@ class GarmentDesk {
     /// A begin and an end at one place.
     DeskReply tap(const DrawingView& view, Point at);
     [[nodiscard]] bool is_open() const { return open_.has_value(); }
+
+    // A line may go on from stroke to stroke, each in its own view and with its own tool (thesis 3.1). What was drawn
+    // of it so far is in the design, as one act, all the time.
+
+    /// A tap on an end: the last act's line goes on from there where it is its loose end; from any other vertex a new
+    /// line begins. False, and nothing changes, where there is no vertex under the pen.
+    bool go_on(const DrawingView& view, Point at);
+    [[nodiscard]] bool goes_on() const { return going_.has_value(); }
+    /// Where it goes on from, and the line's name, empty before there is one.
+    [[nodiscard]] const LineGoingOn* line_going_on() const { return going_ ? &*going_ : nullptr; }
+    /// Instead of end() where the pen only tapped: the line gets one more point there. On its own end it is finished;
+    /// on another vertex it ends.
+    DeskReply end_tapped();
+    /// The next stroke is another line. (undo() takes back the last stroke of a line that goes on.)
+    void finish_line();
+
     [[nodiscard]] const StrokePreview& preview() const { return preview_; }
 
     /// What a tap would meet, for handles and highlights.
@@ -169,8 +205,6 @@ class GarmentDesk {
     void drop_live();
 
   private:
-    struct LiftedStroke;
-
     GarmentDesk(Design settings, DesignRunner start);
 
     DeskReply act(const std::vector<DesignStep>& steps, bool closes = false);
@@ -192,6 +226,13 @@ class GarmentDesk {
     bool ready_live(int layer);
 
     DeskReply end_line(OpenStroke stroke);
+    DeskReply lengthen(OpenStroke stroke);
+    DeskReply draw_anew(LineGoingOn line);
+    DeskReply take_back_stroke();
+    void resume();
+    [[nodiscard]] DesignStep at_landmarks(DesignStep step, const OpenStroke& stroke) const;
+    [[nodiscard]] std::optional<LineGoingOn> last_line_from(int vertex) const;
+    [[nodiscard]] DeskTool hand() const;
     DeskReply add_between_ends(const DesignStep& line);
     DeskReply fill_at(const DrawingView& view, Point at);
     DeskReply end_cut(OpenStroke stroke, DesignStep::Kind kind);
@@ -206,6 +247,7 @@ class GarmentDesk {
     DesignHistory history_;
     DeskSettings settings_;
     std::optional<OpenStroke> open_;
+    std::optional<LineGoingOn> going_;
     StrokePreview preview_;
     std::vector<DesignFault> faults_;
     std::vector<JournalEvent> journal_;

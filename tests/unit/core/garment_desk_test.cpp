@@ -9,6 +9,7 @@
 #include "support/desk_hand.hpp"
 #include "support/simple_body.hpp"
 
+using core::DesignStep;
 using core::DeskReply;
 using core::DeskTool;
 using core::GarmentDesk;
@@ -313,6 +314,138 @@ TEST_CASE("strokes go on in another view, and in the temporary plane through the
     REQUIRE(hand.draw(DeskTool::DrawTemporary, "front", {{17, 15}, {14, 20}, {9, 26}}).changed);
     CHECK(desk.network().lines().back().shape.back().z < -10.0);
     CHECK(desk.network().lines().back().shape.back().y == Approx(15.0).margin(0.3));
+}
+
+TEST_CASE("a line goes on from stroke to stroke, each in its own view, as one act", "[garment_desk]") {
+    GarmentDesk desk = empty_desk();
+    DeskHand hand(desk);
+    REQUIRE(waist(hand).changed);
+    const core::DrawingView front = *core::named_view("front"), left = *core::named_view("left");
+    CHECK_FALSE(desk.go_on(front, {30, 30}));
+    // from the waist's loose end: the waist itself, first in a plane, then in another view by taps
+    REQUIRE(desk.go_on(front, {10.6, 45}));
+    CHECK(desk.line_going_on()->name == "line 1");
+    REQUIRE(hand.on_plane("front", -1.0, {{11.0, 44}, {12.0, 40}, {12.5, 36}}).changed);
+    CHECK(desk.history().size() == 1);
+    CHECK(desk.goes_on());
+    desk.settings().plane_cm = 12.5;
+    desk.begin(left, {4.0, 33.0});
+    REQUIRE(desk.end_tapped().changed);
+    CHECK(desk.history().size() == 1);
+    const DesignStep step = desk.design().steps.front();
+    REQUIRE(step.stroke.size() == 3);
+    CHECK(step.stroke[1].tool.offset == -1.0);
+    CHECK(step.stroke[2].points.size() == 1);
+    const core::SpaceLine line = desk.network().lines()[0].shape;
+    CHECK(core::length(line.back() - core::Vec3{12.5, 33.0, -4.0}) < 0.01);
+    CHECK(desk.line_going_on()->end == line.back());
+    SECTION("undo takes back stroke by stroke, then the whole line") {
+        REQUIRE(desk.undo().changed);
+        CHECK(desk.design().steps.front().stroke.size() == 2);
+        REQUIRE(desk.undo().changed);
+        CHECK(desk.design().steps.front().stroke.size() == 1);
+        CHECK(desk.goes_on());
+        CHECK_FALSE(desk.undo().changed);  // nothing of it was drawn since it was touched
+        CHECK_FALSE(desk.goes_on());
+        REQUIRE(desk.undo().changed);
+        CHECK(desk.design().steps.empty());
+    }
+    SECTION("a tap on its end finishes it; the next stroke is another line") {
+        desk.begin(left, {4.0, 33.0});
+        CHECK_FALSE(desk.end_tapped().changed);
+        CHECK_FALSE(desk.goes_on());
+        REQUIRE(side(hand).changed);
+        CHECK(desk.history().size() == 2);
+        // the journal plays it all again
+        GarmentDesk other = empty_desk();
+        for (const core::JournalEvent& event : desk.take_journal()) REQUIRE(other.replay(event));
+        CHECK(core::design_text(other.design()) == core::design_text(desk.design()));
+    }
+    SECTION("a tap on another vertex ends it there, whatever the plane") {
+        desk.settings().plane_cm = 3.0;
+        desk.begin(front, {0.0, 45.0});
+        REQUIRE(desk.end_tapped().changed);
+        CHECK_FALSE(desk.goes_on());
+        CHECK(desk.open_places().empty());
+    }
+    SECTION("another tool, an act and an undone act end it") {
+        desk.settings().tool = DeskTool::Erase;
+        desk.begin(front, {30, 30});
+        (void)desk.end();
+        CHECK_FALSE(desk.goes_on());
+        CHECK(desk.history().size() == 1);
+        REQUIRE(desk.go_on(left, {4.0, 33.0}));
+        REQUIRE(desk.set_mirror(false).changed);
+        CHECK_FALSE(desk.goes_on());
+    }
+    SECTION("a stroke that cannot be lifted is told, and the line stays and goes on") {
+        desk.settings().tool = DeskTool::DrawOnBody;
+        desk.begin(front, {70, 30});
+        desk.extend(front, {71, 31});
+        const DeskReply reply = desk.end();
+        CHECK(reply.notes.size() == 1);
+        CHECK(desk.goes_on());
+        CHECK(desk.network().lines()[0].shape == line);
+    }
+}
+
+TEST_CASE("a line begins at a vertex that was tapped, and goes on in any plane", "[garment_desk]") {
+    GarmentDesk desk = empty_desk();
+    DeskHand hand(desk);
+    REQUIRE(waist(hand).changed);
+    REQUIRE(side(hand).changed);
+    const core::DrawingView front = *core::named_view("front");
+    // where two lines meet none goes on: a new one begins
+    REQUIRE(desk.go_on(front, {10.6, 45}));
+    CHECK(desk.line_going_on()->name.empty());
+    CHECK_FALSE(desk.undo().changed);
+    CHECK_FALSE(desk.goes_on());
+    REQUIRE(desk.go_on(front, {10.6, 45}));
+    const core::Vec3 vertex = desk.line_going_on()->end;
+    REQUIRE(hand.on_body("back", 0.6, {{-10.0, 44}, {-6, 43}, {-3, 43}}).changed);
+    const core::NetworkLine& line = desk.network().lines().back();
+    CHECK(desk.network().vertices()[static_cast<std::size_t>(line.from)].place == vertex);
+    CHECK(line.shape[line.shape.size() / 2].z < -5.0);  // on the back, where it was drawn
+    REQUIRE(desk.undo().changed);
+    CHECK(desk.goes_on());
+    CHECK(desk.line_going_on()->end == vertex);
+    CHECK(desk.history_place() == 2);
+}
+
+TEST_CASE("the temporary plane may be moved off its point; planes that were put keep their ends", "[garment_desk]") {
+    GarmentDesk desk = empty_desk();
+    DeskHand hand(desk);
+    REQUIRE(side(hand).changed);
+    desk.settings().temporary_cm = -4.0;
+    REQUIRE(hand.draw(DeskTool::DrawTemporary, "front", {{17, 15}, {12, 15}, {12, 22}}).changed);
+    const core::SpaceLine line = desk.network().lines().back().shape;  // behind its sharp turn
+    CHECK(line.back().y == Approx(11.0).margin(0.05));
+    CHECK(line.back().z == Approx(-7.0).margin(0.05));
+}
+
+TEST_CASE("the tool that the pen came down with is the one that ends the stroke", "[garment_desk]") {
+    GarmentDesk desk = empty_desk();
+    skirt(desk);
+    desk.build_now();
+    const core::DrawingView front = *core::named_view("front");
+    const std::string before = core::design_text(desk.design());
+    desk.settings().tool = DeskTool::Move;
+    desk.begin(front, {17, 15});
+    desk.extend(front, {18, 16});
+    desk.settings().tool = DeskTool::Cut;
+    desk.extend(front, {20, 17});
+    REQUIRE(desk.end().changed);
+    CHECK(desk.design().steps.back().kind == core::DesignStep::Kind::Move);
+    REQUIRE(desk.undo().changed);
+    desk.settings().tool = DeskTool::Cut;
+    desk.begin(front, {0, 30});
+    desk.settings().tool = DeskTool::DrawOnBody;
+    desk.extend(front, {6, 30});
+    desk.extend(front, {13, 30});
+    REQUIRE(desk.end().changed);
+    CHECK(desk.design().steps.back().kind == core::DesignStep::Kind::Cut);
+    REQUIRE(desk.undo().changed);
+    CHECK(core::design_text(desk.design()) == before);
 }
 
 TEST_CASE("what is drawn on the other half is the half's own, and a stroke across keeps its longer side",
