@@ -28,10 +28,11 @@ BestShadow::BestShadow(bool beside) {
 
 BestShadow::Ready BestShadow::make(const Job& job) {
     const FoundModel& best = job.ranking->answer.best.front();
-    return {job.epoch, best.id, shadow_shape(best)};
+    return {job.epoch, best.id, shadow_shape(best, job.drawing)};
 }
 
-void BestShadow::see(std::shared_ptr<const PreparedAnswer> ranking) {
+void BestShadow::see(std::shared_ptr<const PreparedAnswer> ranking, const Extent& drawing) {
+    drawing_ = drawing;
     newest_ = std::move(ranking);
     const std::vector<FoundModel>& best = newest_->answer.best;
     const std::optional<std::int64_t> first = best.empty() ? std::nullopt : std::optional(best.front().id);
@@ -51,7 +52,7 @@ void BestShadow::update(std::int64_t now_us, bool last, ui::Painter& painter) {
     asked_ = true;
     asked_us_ = now_us;
     if (candidate_) {
-        worker_->start({epoch_, newest_});
+        worker_->start({epoch_, newest_, drawing_});
     } else if (now_) {
         leave(now_us, painter);
     }
@@ -87,7 +88,7 @@ void BestShadow::settle(ui::Painter& painter) {
     if (!asked_ || worker_) {
         asked_ = true;
         leave(0, painter);
-        if (candidate_) show(make({epoch_, newest_}), 0, painter);
+        if (candidate_) show(make({epoch_, newest_, drawing_}), 0, painter);
     }
     if (before_) painter.set_picture(id_of(before_->picture), nullptr);
     before_.reset();

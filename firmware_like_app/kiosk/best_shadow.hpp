@@ -23,8 +23,8 @@ class BestShadow {
     /// `beside`: shapes are made on another thread; else, and when settle() asks for them, at once.
     explicit BestShadow(bool beside);
 
-    /// A new ranking. Nothing in it: the shadow leaves.
-    void see(std::shared_ptr<const PreparedAnswer> ranking);
+    /// A new ranking, and the box of all ink. Nothing in it: the shadow leaves.
+    void see(std::shared_ptr<const PreparedAnswer> ranking, const Extent& drawing);
     /// Once a frame: takes what is ready, begins a fade. `last`: the newest ranking will stay, as no pen is down.
     void update(std::int64_t now_us, bool last, ui::Painter& painter);
     /// The shadow of the newest ranking at once, without fading.
@@ -40,6 +40,7 @@ class BestShadow {
     struct Job {
         std::uint64_t epoch = 0;
         std::shared_ptr<const PreparedAnswer> ranking;
+        Extent drawing;
     };
     struct Ready {
         std::uint64_t epoch = 0;
@@ -57,6 +58,7 @@ class BestShadow {
 
     std::unique_ptr<NewestWorker<Job, Ready>> worker_;
     std::shared_ptr<const PreparedAnswer> newest_;
+    Extent drawing_;
     std::optional<std::int64_t> candidate_;  // best of the newest ranking
     bool held_ = false, asked_ = false;      // of the ranking before, too; this ranking's shape was asked for
     std::uint64_t epoch_ = 0;                // what is made for an older one is not shown

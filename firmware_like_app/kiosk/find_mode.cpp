@@ -316,7 +316,7 @@ void FindMode::accept(PreparedAnswer answer) {
     for (const FoundModel& model : answer.answer.best) models.push_back(model.id);
     order_.see(models);
     ranking_ = std::make_shared<const PreparedAnswer>(std::move(answer));
-    if (options_.shadow) shadow_.see(ranking_);
+    if (options_.shadow) shadow_.see(ranking_, extent_of(sketch_.drawing()));
 }
 
 /// The models in the order of the cards, as the newest answer has them; one that it has no more as the cards have it.

@@ -12,6 +12,7 @@
 namespace app {
 namespace {
 
+constexpr double kLeastShared = 0.5;  // of the boxes of drawing and shadow
 constexpr int kView_px = 288, kMost_px = 400;
 constexpr double kPlainTurn = 0.7;  // of the middles' spread that one turn explains; below, they are not turned
 
@@ -95,6 +96,26 @@ ShadowShape box_of(const core::GrayImage& image, const ViewPlace& place) {
     return {{}, left - pixel, top - pixel, right - left + 2 * pixel, bottom - top + 2 * pixel};
 }
 
+/// What both boxes share, of all that either has.
+double shared(const ShadowShape& shape, const Extent& drawing) {
+    const double wide = std::min(shape.left + shape.width, drawing.right) - std::max(shape.left, drawing.left);
+    const double high = std::min(shape.top + shape.height, drawing.bottom) - std::max(shape.top, drawing.top);
+    const double both = std::max(wide, 0.0) * std::max(high, 0.0);
+    const double all = shape.width * shape.height + drawing.width() * drawing.height() - both;
+    return all > 0 ? both / all : 0;
+}
+
+/// The same view with the drawing's middle and diagonal.
+ViewPlace laid_over(const ViewPlace& place, const ShadowShape& shape, const Extent& drawing) {
+    ViewPlace out = place;
+    const double ratio = std::hypot(drawing.width(), drawing.height()) / std::hypot(shape.width, shape.height);
+    const core::Point middle{shape.left + shape.width / 2, shape.top + shape.height / 2};
+    const core::Point wanted{(drawing.left + drawing.right) / 2, (drawing.top + drawing.bottom) / 2};
+    out.scale *= ratio;
+    out.origin = wanted + (place.origin - middle) * ratio;
+    return out;
+}
+
 }  // namespace
 
 core::Point ViewPlace::to_drawing(core::Point plane) const {
@@ -137,12 +158,16 @@ std::optional<ViewPlace> place_of_view(const FoundModel& model) {
     return place;
 }
 
-ShadowShape shadow_shape(const FoundModel& model) {
-    const std::optional<ViewPlace> place = place_of_view(model);
+ShadowShape shadow_shape(const FoundModel& model, const Extent& drawing) {
+    std::optional<ViewPlace> place = place_of_view(model);
     if (!place || model.mesh == nullptr || model.mesh->empty()) return {};
     const core::GrayImage view = softened(core::render_silhouette(*model.mesh, model.camera, kView_px));
     ShadowShape shape = box_of(view, *place);
     if (shape.width <= 0 || shape.height <= 0) return {};
+    if (shared(shape, drawing) < kLeastShared && drawing.width() + drawing.height() > 0) {
+        place = laid_over(*place, shape, drawing);
+        shape = box_of(view, *place);
+    }
     // as fine as the view, but for very large boxes of one that is turned
     const double pixel =
         std::max({place->scale / core::pixels_per_unit(kView_px), shape.width / kMost_px, shape.height / kMost_px});

@@ -5,6 +5,7 @@
 
 #include "core/geometry/point.hpp"
 #include "core/silhouette/image.hpp"
+#include "firmware_like_app/kiosk/placing.hpp"
 #include "firmware_like_app/kiosk/searcher.hpp"
 
 namespace app {
@@ -29,7 +30,9 @@ struct ShadowShape {
     double left = 0, top = 0, width = 0, height = 0;  ///< units of the drawing
 };
 
-/// A few milliseconds: the mesh's triangles and the pixels. Empty where there is nothing to place.
-[[nodiscard]] ShadowShape shadow_shape(const FoundModel& model);
+/// Placed by the parts; where that puts it beside the drawing, or far larger or smaller than it is, as few small parts
+/// can, it has the drawing's middle and size. `drawing`: the box of all ink. A few milliseconds: the mesh's triangles
+/// and the pixels. Empty where there is nothing to place.
+[[nodiscard]] ShadowShape shadow_shape(const FoundModel& model, const Extent& drawing);
 
 }  // namespace app

@@ -203,8 +203,7 @@ std::vector<NamedScene> make_scenes() {
 std::vector<NamedScene> all_scenes() {
     std::vector<NamedScene> scenes = make_scenes();
     for (NamedScene& scene : scenes) {
-        scene.large = scene.name == "attract-form" || scene.name == "drawing" || scene.name == "detail" ||
-                      scene.name == "station";
+        scene.large = !scene.name.ends_with("-fr") && !scene.name.ends_with("-de");
     }
     for (NamedScene& scene : garment_scenes()) scenes.push_back(std::move(scene));
     return scenes;

@@ -62,7 +62,7 @@ TEST_CASE("parts that do not say so plainly turn nothing, and none place nothing
     CHECK_FALSE(app::place_of_view(model));
     model.parts.clear();
     CHECK_FALSE(app::place_of_view(model));
-    CHECK(app::shadow_shape(model).coverage.pixels.empty());
+    CHECK(app::shadow_shape(model, {}).coverage.pixels.empty());
 }
 
 TEST_CASE("the shadow of a figure covers the drawing that its parts were laid over", "[shadow]") {
@@ -70,7 +70,7 @@ TEST_CASE("the shadow of a figure covers the drawing that its parts were laid ov
     const core::Drawing horse = test::make_horse_drawing();
     const app::SearchAnswer answer = searcher.search(horse, {});
     REQUIRE_FALSE(answer.best.empty());
-    const app::ShadowShape shape = app::shadow_shape(answer.best.front());
+    const app::ShadowShape shape = app::shadow_shape(answer.best.front(), app::extent_of(horse));
     REQUIRE_FALSE(shape.coverage.pixels.empty());
     CHECK(shape.coverage.width <= 400);
     CHECK(shape.coverage.height <= 400);
@@ -89,4 +89,18 @@ TEST_CASE("the shadow of a figure covers the drawing that its parts were laid ov
     for (const std::uint8_t v : shape.coverage.pixels) covered += v / 255.0;
     CHECK(covered > 0.15 * static_cast<double>(shape.coverage.pixels.size()));
     CHECK(covered < 0.9 * static_cast<double>(shape.coverage.pixels.size()));
+}
+
+TEST_CASE("parts that would put the shadow elsewhere do not: it lies over the drawing, as large as that", "[shadow]") {
+    test::FigureSearcher searcher(test::make_animals());
+    const core::Drawing horse = test::make_horse_drawing();
+    const app::Extent extent = app::extent_of(horse);
+    app::FoundModel model = searcher.search(horse, {}).best.front();
+    model.parts.resize(1);
+    for (core::Point& p : model.parts[0].on_drawing) p = p * 0.1 + core::Point{900, 700};
+    const app::ShadowShape shape = app::shadow_shape(model, extent);
+    REQUIRE_FALSE(shape.coverage.pixels.empty());
+    CHECK(shape.left + shape.width / 2 == Approx((extent.left + extent.right) / 2).margin(3));
+    CHECK(shape.top + shape.height / 2 == Approx((extent.top + extent.bottom) / 2).margin(3));
+    CHECK(std::hypot(shape.width, shape.height) == Approx(std::hypot(extent.width(), extent.height())).epsilon(0.03));
 }
