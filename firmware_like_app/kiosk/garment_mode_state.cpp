@@ -52,6 +52,8 @@ const char* key_of(core::DesignStep::Kind kind) {
             return "tool_mirror";
         case K::Body:
             return "body";
+        case K::Edges:
+            return "quads_size";
         default:
             return "step_other";
     }

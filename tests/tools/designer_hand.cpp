@@ -76,6 +76,13 @@ class Copyist {
         if (desk().history().size() == acts) tell(step.name, "nothing came of it");
     }
 
+    /// On the page of the design as a whole.
+    void choose_quads(double cm) {
+        if (desk().network().options().edge_cm == cm) return;
+        hand_.press(ui::GarmentAction::Page, 2);
+        hand_.number(cm);
+    }
+
   private:
     [[nodiscard]] core::GarmentDesk& desk() { return kiosk_.garment->desk(); }
 
@@ -123,6 +130,7 @@ int draw(const std::string& name, const std::filesystem::path& out) {
         test::GarmentHand hand(kiosk);
         hand.enter();
         Copyist copyist(hand, kiosk);
+        copyist.choose_quads(design.network.edge_cm);
         for (const core::DesignStep& step : design.steps) copyist.draw(step);
         drawn = kiosk.garment->design();
         kiosk.garment->wipe(0, ui::Hand::Right);  // the trace is closed

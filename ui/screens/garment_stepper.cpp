@@ -15,11 +15,12 @@ struct Words {
 };
 
 Words words_of(StepperOf what) {
-    static constexpr std::array<Words, 5> kWords{{{"offset_from_body", ""},
+    static constexpr std::array<Words, 6> kWords{{{"offset_from_body", ""},
                                                   {"plane_depth", "plane_by_line"},
                                                   {"plane_across", "plane_by_line"},
                                                   {"plane_height", "plane_by_line"},
-                                                  {"plane_above_point", ""}}};
+                                                  {"plane_above_point", ""},
+                                                  {"quads_size", ""}}};
     return kWords[static_cast<std::size_t>(what)];
 }
 
