@@ -20,16 +20,16 @@ constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
 constexpr auto kReplace = Json::error_handler_t::replace;  // names may come from anywhere: what is no UTF-8
 constexpr const char* kFormat = "croquis-garment";
 
-constexpr std::array<std::pair<Kind, const char*>, 25> kSteps{
-    {{Kind::Line, "line"},      {Kind::Region, "region"},       {Kind::Cut, "cut"},
-     {Kind::Hole, "hole"},      {Kind::Remove, "remove"},       {Kind::Corner, "corner"},
-     {Kind::Alpha, "alpha"},    {Kind::Move, "move"},           {Kind::Weld, "weld"},
-     {Kind::Layer, "layer"},    {Kind::Associate, "associate"}, {Kind::Erase, "erase"},
-     {Kind::Join, "join"},      {Kind::Meet, "meet"},           {Kind::Smooth, "smooth"},
-     {Kind::Bump, "bump"},      {Kind::Rename, "rename"},       {Kind::Material, "material"},
-     {Kind::Mirror, "mirror"},  {Kind::Work, "work"},           {Kind::Order, "order"},
-     {Kind::Show, "show"},      {Kind::Body, "body"},           {Kind::Place, "place"},
-     {Kind::Unplace, "unplace"}}};
+constexpr std::array<std::pair<Kind, const char*>, 26> kSteps{
+    {{Kind::Line, "line"},       {Kind::Region, "region"},       {Kind::Cut, "cut"},
+     {Kind::Hole, "hole"},       {Kind::Remove, "remove"},       {Kind::Corner, "corner"},
+     {Kind::Alpha, "alpha"},     {Kind::Move, "move"},           {Kind::Weld, "weld"},
+     {Kind::Layer, "layer"},     {Kind::Associate, "associate"}, {Kind::Erase, "erase"},
+     {Kind::Join, "join"},       {Kind::Meet, "meet"},           {Kind::Smooth, "smooth"},
+     {Kind::Bump, "bump"},       {Kind::Rename, "rename"},       {Kind::Material, "material"},
+     {Kind::Mirror, "mirror"},   {Kind::Work, "work"},           {Kind::Order, "order"},
+     {Kind::Show, "show"},       {Kind::Body, "body"},           {Kind::Place, "place"},
+     {Kind::Unplace, "unplace"}, {Kind::Edges, "edges"}}};
 constexpr std::array<std::pair<ToolKind, const char*>, 6> kTools{{{ToolKind::Body, "body"},
                                                                   {ToolKind::PlaneXY, "plane_xy"},
                                                                   {ToolKind::PlaneXZ, "plane_xz"},
@@ -214,8 +214,14 @@ PlacedObject object_from(const Json& json) {
     return object;
 }
 
-/// The steps that came with version 3.
-void since_version_3(const Json& json, DesignStep& step) {
+double edge_from(const Json& json) {
+    const double cm = number(json, "edge_cm", 0.0);
+    if (cm < kLeastEdge_cm || cm > kMostEdge_cm) throw Fault("\"edge_cm\" is not between 0.3 and 20");
+    return cm;
+}
+
+/// What came with versions 3 and 4.
+void of_later_versions(const Json& json, DesignStep& step) {
     if (has_ends(step.kind) && json.contains("starts_to")) step.starts_to = place_at(json, "starts_to");
     if (has_ends(step.kind) && json.contains("ends_to")) step.ends_to = place_at(json, "ends_to");
     if (step.kind == Kind::Region && json.contains("replaces")) step.region = text(json, "replaces");
@@ -248,9 +254,10 @@ void since_version_3(const Json& json, DesignStep& step) {
     else if (step.kind == Kind::Body)
         step.body = body_from(json);
     if (step.kind == Kind::Place) step.object = object_from(json);
+    if (step.kind == Kind::Edges) step.radius = edge_from(json);  // since version 4
 }
 
-void since_version_3(const DesignStep& step, Json& json) {
+void of_later_versions(const DesignStep& step, Json& json) {
     const auto places = [](Vec3 p) { return Json{p.x, p.y, p.z}; };
     if (has_ends(step.kind) && step.starts_to) json["starts_to"] = places(*step.starts_to);
     if (has_ends(step.kind) && step.ends_to) json["ends_to"] = places(*step.ends_to);
@@ -286,6 +293,7 @@ void since_version_3(const DesignStep& step, Json& json) {
         json["scale"] = step.object.scale;
         json["turn"] = places(step.object.turn);
     }
+    if (step.kind == Kind::Edges) json["edge_cm"] = step.radius;
 }
 
 DesignStep step_from(const Json& json) {
@@ -315,7 +323,7 @@ DesignStep step_from(const Json& json) {
     if (has_ends(step.kind) && json.contains("ends_at")) step.ends_at = text(json, "ends_at");
     if (step.kind == Kind::Corner) step.on = flag(json, "on", true);
     step.with_last = flag(json, "with_last", false);
-    since_version_3(json, step);
+    of_later_versions(json, step);
     return step;
 }
 
@@ -334,7 +342,7 @@ Json step_to(const DesignStep& step) {
     if (step.kind == Kind::Move || step.kind == Kind::Weld) json["to"] = {step.to.x, step.to.y, step.to.z};
     if (step.kind == Kind::Move) json["radius"] = step.radius;
     if (step.kind == Kind::Corner) json["on"] = step.on;
-    since_version_3(step, json);
+    of_later_versions(step, json);
     if (step.with_last) json["with_last"] = true;
     if (has_stroke(step.kind)) json["stroke"] = stroke_to(step.stroke);
     return json;
@@ -345,9 +353,7 @@ Design design_from(const Json& document) {
     design.name = text(document, "name");
     design.body = body_from(document);
     design.mirror = flag(document, "mirror", true);
-    design.network.edge_cm = number(document, "edge_cm", design.network.edge_cm);
-    if (design.network.edge_cm < 0.3 || design.network.edge_cm > 20.0)
-        throw Fault("\"edge_cm\" is not between 0.3 and 20");
+    if (document.contains("edge_cm")) design.network.edge_cm = edge_from(document);
     design.network.snap_cm = number(document, "snap_cm", design.network.snap_cm);
     if (design.network.snap_cm < 0.1 || design.network.snap_cm > 10.0)
         throw Fault("\"snap_cm\" is not between 0.1 and 10");

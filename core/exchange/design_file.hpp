@@ -10,8 +10,9 @@
 namespace core {
 
 /// 2 added landmarks at the ends of lines and the parts of the body that regions lie over; 3 pieces of lines, layers
-/// in any order, materials, other bodies, placed objects, and which steps are one act.
-inline constexpr int kDesignVersion = 3;
+/// in any order, materials, other bodies, placed objects, and which steps are one act; 4 the
+/// length of quads as a step, and temporary planes off their point.
+inline constexpr int kDesignVersion = 4;
 
 /// Reads a design of this version or an older one. ErrorCode::BadFormat with the step at fault (from 1) for text that
 /// is no JSON or ends early, a missing or wrong field, an unknown step, view, tool or size; ErrorCode::NewerVersion for

@@ -48,6 +48,7 @@ std::string step_subject(const DesignStep& step) {
         case Kind::Order:
         case Kind::Show:
         case Kind::Body:
+        case Kind::Edges:
             break;
     }
     return {};
@@ -255,6 +256,8 @@ Result<void> DesignRunner::change(Network& next, const DesignStep& step) const {
         case Kind::Bump:
             return next.bump(piece, step.at, step.to, step.radius, step.depth,
                              [&](Vec3 p) { return obstacle_->sample(p).gradient; });
+        case Kind::Edges:
+            return next.set_edge(step.radius);
         default:
             return {};
     }
@@ -378,6 +381,9 @@ Result<DesignStep> DesignRunner::take(const DesignStep& step) {
     Network next = network_;
     if (const Result<void> done = change(next, step); !done) return blame(done.error());
     network_ = std::move(next);
+    if (step.kind == Kind::Cut || step.kind == Kind::Hole)  // both halves are of the same cloth
+        if (const auto material = look_.materials.find(step.region); material != look_.materials.end())
+            look_.materials[step.name] = ClothMaterial(material->second);
     DesignStep saved = step;
     if (step.kind == Kind::Region) {
         if (saved.parts == 0) saved.parts = parts_under(*network_.find_region(step.name));
@@ -394,7 +400,7 @@ std::uint64_t DesignRunner::layer_key(int layer, const Below& below) const {
     hash.add(look_.mirror);
     hash.add(settings_.fitting.clearance_cm), hash.add(settings_.fitting.rounds);
     hash.add(static_cast<int>(settings_.fitting.fairing)), hash.add(settings_.fitting.strength);
-    hash.add(settings_.network.edge_cm);
+    hash.add(network_.options().edge_cm);
     for (const NetworkRegion& region : network_.regions()) {
         if (!region.alive || region.layer != layer) continue;
         hash.add(region.name), hash.add(region.alpha), hash.add(region.parts);

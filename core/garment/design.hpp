@@ -63,7 +63,8 @@ struct DesignStep {
         Show,      ///< a layer is seen or hidden; it is worn all the same
         Body,      ///< what was drawn is carried to another body, and what follows is drawn there
         Place,     ///< an object, or one of the same name elsewhere
-        Unplace
+        Unplace,
+        Edges  ///< how long quads are along lines, about: `radius`
     };
     Kind kind = Kind::Line;
     std::string name;    ///< of the line or the region made; of the new half of a cut or hole; Rename, Unplace
@@ -75,7 +76,7 @@ struct DesignStep {
     double alpha = kCoonsAlpha;        ///< Region, Alpha
     Vec3 at, to;                       ///< Corner: at; Move: from at to `to`; Weld: at stays, `to` joins it;
                                        ///< Smooth, Bump: ends of the stretch
-    double radius = 0.0;               ///< Move; Bump: length of a wave, cm
+    double radius = 0.0;               ///< Move; Bump: length of a wave; Edges; cm
     double depth = 0.0;                ///< Bump: how far a wave reaches to either side, cm
     bool on = true;                    ///< Corner, Mirror, Show
     int layer = 0;                     ///< Rename, Work, Show: counted from 0 in the order they were made

@@ -607,7 +607,10 @@ Result<void> Network::meet(const std::string& one, Vec3 at, const std::string& o
     const auto along = [&](int line, Vec3 place) {
         return nearest_on_line(lines_[static_cast<std::size_t>(line)].shape, place).along;
     };
-    if (a != b) return weld_vertices(vertex_along(a, along(a, at)), vertex_along(b, along(b, to)));
+    if (a != b) {
+        const int stays = vertex_along(a, along(a, at));  // first, whatever the compiler: both may make a vertex
+        return weld_vertices(stays, vertex_along(b, along(b, to)));
+    }
     // a line that crosses itself: the loop between the two places gets a vertex of its own
     const double here = along(a, at), there = along(a, to);
     const double first = std::min(here, there), last = std::max(here, there);
@@ -682,6 +685,12 @@ Result<void> Network::bump(const std::string& piece, Vec3 at, Vec3 to, double wa
         if (before[i].x == 0.0) out[i].x = 0.0;
     }
     shape = std::move(out);
+    return {};
+}
+
+Result<void> Network::set_edge(double cm) {
+    if (!(cm >= kLeastEdge_cm && cm <= kMostEdge_cm)) return bad("Quads must be 0.3 to 20 cm long.");
+    options_.edge_cm = cm;
     return {};
 }
 

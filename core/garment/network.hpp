@@ -55,8 +55,10 @@ struct NetworkRegion {
     PartSet parts = 0;  ///< of the body that it lies over; 0: not known
 };
 
+inline constexpr double kLeastEdge_cm = 0.3, kMostEdge_cm = 20.0;
+
 struct NetworkOptions {
-    double edge_cm = 2.5;     ///< length of quads along lines, about
+    double edge_cm = 2.5;     ///< length of quads along lines, about; kLeastEdge_cm to kMostEdge_cm
     double snap_cm = 2.0;     ///< how near an end must be to a vertex or line to be welded to it
     double corner_rad = 0.6;  ///< turns sharper than this are corners
 };
@@ -140,6 +142,10 @@ class Network {
     /// first and last one. Its ends stay.
     [[nodiscard]] Result<void> bump(const std::string& piece, Vec3 at, Vec3 to, double wave, double depth,
                                     const std::function<Vec3(Vec3)>& outward);
+
+    /// How long quads are along lines from now on, those that were drawn too. Corners stay as they were found.
+    /// ErrorCode::BadArgument outside of kLeastEdge_cm to kMostEdge_cm.
+    [[nodiscard]] Result<void> set_edge(double cm);
 
     [[nodiscard]] Result<void> rename_region(const std::string& region, const std::string& name);
 

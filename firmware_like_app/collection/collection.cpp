@@ -66,6 +66,10 @@ std::vector<RankedModel> Collection::rank(std::span<const core::ComparableShape>
     return rank_models(models_, {.readings = readings, .jobs = jobs, .stop = std::move(stop)}, by);
 }
 
+BothRankings Collection::rank_both_ways(std::span<const core::ComparableShape> readings, int jobs) const {
+    return rank_models_both_ways(models_, {.readings = readings, .jobs = jobs});
+}
+
 std::vector<RankedModel> Collection::nearest(std::span<const core::ComparableShape> readings, std::size_t count,
                                              int jobs, std::stop_token stop,
                                              std::span<const std::size_t> likely) const {

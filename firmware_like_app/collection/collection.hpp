@@ -29,6 +29,8 @@ class Collection {
     /// rank_models for one drawing, in all its readings.
     [[nodiscard]] std::vector<RankedModel> rank(std::span<const core::ComparableShape> readings, RankBy by, int jobs,
                                                 std::stop_token stop = {}) const;
+    /// rank_models_both_ways for one drawing, in all its readings.
+    [[nodiscard]] BothRankings rank_both_ways(std::span<const core::ComparableShape> readings, int jobs) const;
     /// nearest_models for one drawing, in all its readings; `likely` as in ModelSearch.
     [[nodiscard]] std::vector<RankedModel> nearest(std::span<const core::ComparableShape> readings, std::size_t count,
                                                    int jobs, std::stop_token stop = {},

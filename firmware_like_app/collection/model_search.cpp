@@ -44,6 +44,35 @@ int threads(const ModelSearch& search) {
     return std::max(1, search.jobs);
 }
 
+/// Both least distances over all pairs of a reading and a view, those nearest by their contours first, so that others
+/// are given up soon.
+struct LeastDistances {
+    double parts = kInfinity, fused = kInfinity;
+};
+LeastDistances least_distances(std::span<const core::ComparableShape> readings, const CollectionModel& model,
+                               core::FusedMatcher& matcher) {
+    struct Pair {
+        double contour = 0.0;
+        const core::ComparableShape *drawn = nullptr, *view = nullptr;
+    };
+    std::vector<Pair> pairs;
+    for (const core::ComparableShape& drawn : readings) {
+        for (const core::ComparableShape& view : model.views) {
+            pairs.push_back({matcher.contour().distance(drawn.contour, view.contour), &drawn, &view});
+        }
+    }
+    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) { return p.contour < q.contour; });
+    LeastDistances least;
+    for (const Pair& pair : pairs) {
+        // What may still lower one of the two.
+        const double give_up_at = std::max(least.parts, core::parts_limit(pair.contour, least.fused));
+        const double parts = matcher.parts().distance(pair.drawn->parts, pair.view->parts, give_up_at);
+        least.parts = std::min(least.parts, parts);
+        least.fused = std::min(least.fused, core::fused_distance(parts, pair.contour));
+    }
+    return least;
+}
+
 /// The nearest models so far, shared by all threads. Which models are compared depends on when others finish; which are
 /// the nearest does not.
 class NearestSoFar {
@@ -197,6 +226,23 @@ std::vector<RankedModel> rank_models(std::span<const CollectionModel> models, co
     });
     std::sort(ranked.begin(), ranked.end(), is_nearer);
     return ranked;
+}
+
+BothRankings rank_models_both_ways(std::span<const CollectionModel> models, const ModelSearch& search) {
+    const std::vector<std::size_t> all = models_of(models.size(), search);
+    BothRankings out{std::vector<RankedModel>(all.size()), std::vector<RankedModel>(all.size())};
+    std::vector<core::FusedMatcher> matchers(static_cast<std::size_t>(threads(search)));
+    core::parallel_for(all.size(), threads(search), [&](std::size_t k, int worker) {
+        out.by_parts[k].model = out.fused[k].model = all[k];
+        if (search.stop.stop_requested()) return;
+        const LeastDistances least =
+            least_distances(search.readings, models[all[k]], matchers[static_cast<std::size_t>(worker)]);
+        out.by_parts[k].distance = least.parts;
+        out.fused[k].distance = least.fused;
+    });
+    std::sort(out.by_parts.begin(), out.by_parts.end(), is_nearer);
+    std::sort(out.fused.begin(), out.fused.end(), is_nearer);
+    return out;
 }
 
 std::vector<RankedModel> reranked(const core::QueryReranker& reranker, const std::vector<RankedModel>& ranked) {

@@ -49,6 +49,14 @@ struct ModelSearch {
 [[nodiscard]] std::vector<RankedModel> rank_models(std::span<const CollectionModel> models, const ModelSearch& search,
                                                    RankBy by);
 
+struct BothRankings {
+    std::vector<RankedModel> by_parts, fused;
+};
+
+/// What rank_models gives by either distance, in little more than half the time of asking twice: every contour is
+/// compared once and so are the parts. Models and distances alone; views and readings are not told.
+[[nodiscard]] BothRankings rank_models_both_ways(std::span<const CollectionModel> models, const ModelSearch& search);
+
 /// The first `count` of rank_models by the fused distance, the same to the last bit. Contours are compared with all
 /// models, most of them only until it is known that they are too far; parts with those alone that neither their
 /// contours nor the bound of their parts leave behind, one in fifteen.

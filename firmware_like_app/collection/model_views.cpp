@@ -18,7 +18,7 @@
 namespace app {
 
 std::string parameters_text(const ViewParameters& v) {
-    constexpr int kDescriberVersion = 4;  // raise when the same parameters lead to another descriptor
+    constexpr int kDescriberVersion = 5;  // raise when the same parameters lead to another descriptor
     const core::ShapeParameters& p = v.shape;
     char text[512];
     std::snprintf(text, sizeof text,

@@ -2,7 +2,6 @@
 
 #include "firmware_like_app/commands/command_designs.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
@@ -176,43 +175,39 @@ void run_check(const DesignsCommand& options, CommandState& state) {
 
 using Run = void (*)(const DesignsCommand&, CommandState&);
 
-CLI::App* add(CLI::App& designs, const char* name, const char* what, const std::shared_ptr<DesignsCommand>& options,
-              CommandState& state, Run run) {
-    CLI::App* command = designs.add_subcommand(name, what);
-    command->add_option("--db", options->database, "the station's file of designs")->required();
-    command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->callback([options, &state, run] { run(*options, state); });
+Command add(Command designs, const char* name, const char* what, const std::shared_ptr<DesignsCommand>& options,
+            CommandState& state, Run run) {
+    Command command = designs.command(name, what);
+    command.option("--db", options->database, "the station's file of designs").required();
+    command.flag("--json", options->json, "one JSON object on standard output");
+    command.runs([options, &state, run] { run(*options, state); });
     return command;
 }
 
 }  // namespace
 
-void add_designs_command(CLI::App& garment, CommandState& state) {
-    CLI::App* designs = garment.add_subcommand("designs", "The designs that a station keeps");
-    designs->require_subcommand(1);
+void add_designs_command(Command garment, CommandState& state) {
+    Command designs = garment.group("designs", "The designs that a station keeps");
     auto options = std::make_shared<DesignsCommand>();
-    add(*designs, "list", "What is kept, changed last first", options, state, run_list)
-        ->add_flag("--bin", options->bin, "what was deleted and can be taken back");
-    CLI::App* show =
-        add(*designs, "show", "One design: its history, its design file, its picture", options, state, run_show);
-    show->add_option("ID", options->id, "its number")->required();
-    show->add_option("--out", options->out, "design file to write");
-    show->add_option("--picture", options->picture, "PNG to write");
-    CLI::App* out = add(*designs, "export", "Models, patterns and pictures of one design, in a new folder", options,
-                        state, run_export_command);
-    out->add_option("ID", options->id, "its number")->required();
-    CLI::Option_group* place = out->add_option_group("place");
-    place->add_option("--out", options->out, "folder in which the new one is made");
-    place->add_flag("--stick", options->stick, "on the USB stick that is plugged in");
-    place->require_option(1);
-    out->add_option("--pictures", options->pictures, "how many, all round")
-        ->check(CLI::Range(0, 360))
-        ->capture_default_str();
-    out->add_option("--models", options->models, "index that the design's objects were taken from");
-    add(*designs, "add", "Keeps a design file", options, state, run_add)
-        ->add_option("DESIGN", options->design, "design file")
-        ->required();
-    add(*designs, "check", "Looks at every record", options, state, run_check);
+    add(designs, "list", "What is kept, changed last first", options, state, run_list)
+        .flag("--bin", options->bin, "what was deleted and can be taken back");
+    Command show =
+        add(designs, "show", "One design: its history, its design file, its picture", options, state, run_show);
+    show.option("ID", options->id, "its number").required();
+    show.option("--out", options->out, "design file to write");
+    show.option("--picture", options->picture, "PNG to write");
+    Command out = add(designs, "export", "Models, patterns and pictures of one design, in a new folder", options, state,
+                      run_export_command);
+    out.option("ID", options->id, "its number").required();
+    Command place = out.one_of("place");
+    place.option("--out", options->out, "folder in which the new one is made");
+    place.flag("--stick", options->stick, "on the USB stick that is plugged in");
+    out.option("--pictures", options->pictures, "how many, all round").range(0, 360).show_default();
+    out.option("--models", options->models, "index that the design's objects were taken from");
+    add(designs, "add", "Keeps a design file", options, state, run_add)
+        .option("DESIGN", options->design, "design file")
+        .required();
+    add(designs, "check", "Looks at every record", options, state, run_check);
 }
 
 }  // namespace app

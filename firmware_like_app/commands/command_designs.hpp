@@ -5,6 +5,6 @@
 
 namespace app {
 
-void add_designs_command(CLI::App& garment, CommandState& state);
+void add_designs_command(Command garment, CommandState& state);
 
 }  // namespace app

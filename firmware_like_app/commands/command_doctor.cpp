@@ -1,6 +1,5 @@
 // croquis doctor: what is fine, what is not, what to do.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -54,14 +53,14 @@ void run_doctor(const DoctorOptions& options, CommandState& state) {
 
 }  // namespace
 
-void add_doctor_command(CLI::App& cli, CommandState& state) {
+void add_doctor_command(Command cli, CommandState& state) {
     auto options = std::make_shared<DoctorOptions>();
-    CLI::App* command =
-        cli.add_subcommand("doctor", "Looks at screen, graphics, tablets, fonts, database, disk and permissions");
-    command->add_option("--config", options->config, "the settings of the station");
-    command->add_option("--db", options->database, "the index, where no settings name it");
-    command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->callback([options, &state] { run_doctor(*options, state); });
+    Command command =
+        cli.command("doctor", "Looks at screen, graphics, tablets, fonts, database, disk and permissions");
+    command.option("--config", options->config, "the settings of the station");
+    command.option("--db", options->database, "the index, where no settings name it");
+    command.flag("--json", options->json, "one JSON object on standard output");
+    command.runs([options, &state] { run_doctor(*options, state); });
 }
 
 }  // namespace app

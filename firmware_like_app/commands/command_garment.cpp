@@ -1,6 +1,5 @@
 // croquis garment: fill makes the quads of one region of cloth, build a whole garment, wardrobe writes worked designs.
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -241,49 +240,46 @@ void run_wardrobe(const WardrobeOptions& options, CommandState& state) {
     }
 }
 
-void add_build_command(CLI::App& garment, CommandState& state) {
+void add_build_command(Command garment, CommandState& state) {
     auto options = std::make_shared<BuildOptions>();
-    CLI::App* command = garment.add_subcommand("build", "The whole garment of a saved design");
-    command->add_option("DESIGN", options->design, "design file")->required();
-    command->add_option("--out", options->out, "F.obj or F.glb to write")->required();
-    command->add_option("--body", options->body, "a closed mesh to dress in place of the design's mannequin");
-    command->add_option("--smooth", options->smooth, "levels of Catmull-Clark subdivision")->check(CLI::Range(0, 3));
-    command
-        ->add_option("--drape", options->drape_s, "seconds that the garment hangs under gravity before it is written")
-        ->check(CLI::Range(0.0, 60.0));
-    command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->callback([options, &state] { run_build(*options, state); });
+    Command command = garment.command("build", "The whole garment of a saved design");
+    command.option("DESIGN", options->design, "design file").required();
+    command.option("--out", options->out, "F.obj or F.glb to write").required();
+    command.option("--body", options->body, "a closed mesh to dress in place of the design's mannequin");
+    command.option("--smooth", options->smooth, "levels of Catmull-Clark subdivision").range(0, 3);
+    command.option("--drape", options->drape_s, "seconds that the garment hangs under gravity before it is written")
+        .range(0.0, 60.0);
+    command.flag("--json", options->json, "one JSON object on standard output");
+    command.runs([options, &state] { run_build(*options, state); });
 }
 
-void add_wardrobe_command(CLI::App& garment, CommandState& state) {
+void add_wardrobe_command(Command garment, CommandState& state) {
     auto options = std::make_shared<WardrobeOptions>();
-    CLI::App* command = garment.add_subcommand("wardrobe", "Writes the worked designs as design files");
-    command->add_option("--out", options->out, "folder to write to")->required();
-    command->add_option("--size", options->size, "the mannequin they are drawn on")->capture_default_str();
-    command->callback([options, &state] { run_wardrobe(*options, state); });
+    Command command = garment.command("wardrobe", "Writes the worked designs as design files");
+    command.option("--out", options->out, "folder to write to").required();
+    command.option("--size", options->size, "the mannequin they are drawn on").show_default();
+    command.runs([options, &state] { run_wardrobe(*options, state); });
 }
 
 }  // namespace
 
-void add_garment_commands(CLI::App& cli, CommandState& state) {
-    CLI::App* garment = cli.add_subcommand("garment", "Cloth from outlines");
-    garment->require_subcommand(1);
+void add_garment_commands(Command cli, CommandState& state) {
+    Command garment = cli.group("garment", "Cloth from outlines");
     auto options = std::make_shared<FillOptions>();
-    CLI::App* command = garment->add_subcommand("fill", "Quad mesh of one region");
-    command->add_option("REGION", options->region, "JSON: {\"sides\": [[[x, y, z], ...], ...]}, sides in order")
-        ->required();
-    command->add_option("--out", options->out, "the OBJ file to write")->required();
+    Command command = garment.command("fill", "Quad mesh of one region");
+    command.option("REGION", options->region, "JSON: {\"sides\": [[[x, y, z], ...], ...]}, sides in order").required();
+    command.option("--out", options->out, "the OBJ file to write").required();
     command
-        ->add_option("--alpha", options->alpha,
-                     "-0.25: the boundary's shape reaches far in (discrete Coons); 0: flat (harmonic)")
-        ->check(CLI::Range(-0.25, 0.0))
-        ->capture_default_str();
-    command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->callback([options, &state] { run_fill(*options, state); });
-    add_build_command(*garment, state);
-    add_wardrobe_command(*garment, state);
-    add_pattern_command(*garment, state);
-    add_designs_command(*garment, state);
+        .option("--alpha", options->alpha,
+                "-0.25: the boundary's shape reaches far in (discrete Coons); 0: flat (harmonic)")
+        .range(-0.25, 0.0)
+        .show_default();
+    command.flag("--json", options->json, "one JSON object on standard output");
+    command.runs([options, &state] { run_fill(*options, state); });
+    add_build_command(garment, state);
+    add_wardrobe_command(garment, state);
+    add_pattern_command(garment, state);
+    add_designs_command(garment, state);
 }
 
 }  // namespace app

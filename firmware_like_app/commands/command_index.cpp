@@ -1,6 +1,5 @@
 // croquis index build|list|show|remove|check|vacuum, croquis starter.
 
-#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
@@ -231,39 +230,38 @@ void run_vacuum(const IndexOptions& options, CommandState& state) {
 
 }  // namespace
 
-void add_index_commands(CLI::App& cli, CommandState& state) {
-    CLI::App* index = cli.add_subcommand("index", "The collection's index");
-    index->require_subcommand(1);
+void add_index_commands(Command cli, CommandState& state) {
+    Command index = cli.group("index", "The collection's index");
     auto options = std::make_shared<IndexOptions>();
     const auto add = [&](const char* name, const char* what, void (*run)(const IndexOptions&, CommandState&)) {
-        CLI::App* command = index->add_subcommand(name, what);
-        command->add_option("--db", options->database, "the index, one SQLite file")->required();
-        command->add_flag("--json", options->json, "one JSON object on standard output");
-        command->callback([options, &state, run] { run(*options, state); });
+        Command command = index.command(name, what);
+        command.option("--db", options->database, "the index, one SQLite file").required();
+        command.flag("--json", options->json, "one JSON object on standard output");
+        command.runs([options, &state, run] { run(*options, state); });
         return command;
     };
-    CLI::App* build = add("build", "Add model files and folders; unchanged files are skipped", run_build);
-    build->add_option("PATH", options->paths, "model files, and folders to search")->required();
-    build->add_option("--classes", options->classes, "path<TAB>class list, or a Princeton .cla file");
-    build->add_option("--files", options->files, "folder of the files that a .cla numbers; default: the first PATH");
-    build->add_option("--jobs", options->jobs, "threads")->check(CLI::PositiveNumber);
-    build->add_flag("--graph", options->graph,
-                    "also find each model's nearest others, for query --rerank; later builds keep them up to date");
+    Command build = add("build", "Add model files and folders; unchanged files are skipped", run_build);
+    build.option("PATH", options->paths, "model files, and folders to search").required();
+    build.option("--classes", options->classes, "path<TAB>class list, or a Princeton .cla file");
+    build.option("--files", options->files, "folder of the files that a .cla numbers; default: the first PATH");
+    build.option("--jobs", options->jobs, "threads").positive();
+    build.flag("--graph", options->graph,
+               "also find each model's nearest others, for query --rerank; later builds keep them up to date");
     add("list", "All models", run_list);
-    CLI::App* show = add("show", "One model", run_show);
-    show->add_option("ID", options->id)->required();
-    show->add_option("--picture", options->picture, "write its thumbnail, a PNG");
-    show->add_option("--view", options->view, "of which of its two views, 0 or 1")->check(CLI::Range(0, 1));
-    add("remove", "Take one model out", run_remove)->add_option("ID", options->id)->required();
+    Command show = add("show", "One model", run_show);
+    show.option("ID", options->id, "").required();
+    show.option("--picture", options->picture, "write its thumbnail, a PNG");
+    show.option("--view", options->view, "of which of its two views, 0 or 1").range(0, 1);
+    add("remove", "Take one model out", run_remove).option("ID", options->id, "").required();
     add("check", "Verify every record", run_check);
     add("vacuum", "Give the space of removed models back", run_vacuum);
 }
 
-void add_starter_command(CLI::App& cli, CommandState& state) {
+void add_starter_command(Command cli, CommandState& state) {
     auto folder = std::make_shared<std::string>();
-    CLI::App* command = cli.add_subcommand("starter", "Write the built-in starter collection as files");
-    command->add_option("--out", *folder, "folder, made if missing")->required();
-    command->callback([folder, &state] {
+    Command command = cli.command("starter", "Write the built-in starter collection as files");
+    command.option("--out", *folder, "folder, made if missing").required();
+    command.runs([folder, &state] {
         const core::Result<void> written = core::write_starter_collection(*folder);
         if (!written) return fail(state, written.error());
         std::fprintf(stderr, "croquis: the starter collection is in %s\n", folder->c_str());

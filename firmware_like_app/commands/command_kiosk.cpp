@@ -1,6 +1,5 @@
 // croquis kiosk: the screen.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -217,15 +216,13 @@ void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) 
 
 }  // namespace
 
-void add_kiosk_command(CLI::App& cli, CommandState& state) {
+void add_kiosk_command(Command cli, CommandState& state) {
     auto options = std::make_shared<KioskCommandOptions>();
-    CLI::App* command = cli.add_subcommand("kiosk", "The full-screen kiosk");
-    command->add_option("--config", options->config, "the settings of the station, a TOML file; see croquis config");
-    command->add_option("--set", options->settings, "one setting, section.name=value; wins over the file")
-        ->take_all()
-        ->expected(1);
+    Command command = cli.command("kiosk", "The full-screen kiosk");
+    command.option("--config", options->config, "the settings of the station, a TOML file; see croquis config");
+    command.option("--set", options->settings, "one setting, section.name=value; wins over the file").repeated();
     const auto shorthand = [&](const char* name, const char* setting, const char* what) {
-        command->add_option_function<std::string>(
+        command.option(
             name,
             [options, setting](const std::string& value) { options->settings.push_back(setting + ("=" + value)); },
             what);
@@ -236,30 +233,29 @@ void add_kiosk_command(CLI::App& cli, CommandState& state) {
     shorthand("--record", "record.folder", "folder for traces of what visitors draw");
     shorthand("--language", "visitors.language", "en, fr, de or the code of a further language file");
     shorthand("--jobs", "collection.search_threads", "search threads");
-    command->add_flag_callback(
+    command.flag(
         "--windowed", [options] { options->settings.push_back("screen.windowed=true"); },
         "a framed window instead of the full screen");
-    command->add_flag_callback(
+    command.flag(
         "--left", [options] { options->settings.push_back("visitors.hand=left"); },
         "controls for a left-handed visitor");
-    command->add_flag("--headless", options->headless, "render without a screen; ends when the replays do");
-    command->add_option("--replay", options->replays,
-                        "recorded drawings: traces, those of garments too, recordings of tablets, SVG, InkML, "
-                        "Quick-Draw lines, stroke lists");
-    command->add_option("--shots", options->shots, "folder for numbered pictures");
-    command->add_flag(
-        "--early", options->early,
-        "headless: report how often the first result of the end is among ten at 40, 60 and 80 % of the ink");
-    command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->callback([options, &state] { run_kiosk_command(*options, state); });
+    command.flag("--headless", options->headless, "render without a screen; ends when the replays do");
+    command.option("--replay", options->replays,
+                   "recorded drawings: traces, those of garments too, recordings of tablets, SVG, InkML, "
+                   "Quick-Draw lines, stroke lists");
+    command.option("--shots", options->shots, "folder for numbered pictures");
+    command.flag("--early", options->early,
+                 "headless: report how often the first result of the end is among ten at 40, 60 and 80 % of the ink");
+    command.flag("--json", options->json, "one JSON object on standard output");
+    command.runs([options, &state] { run_kiosk_command(*options, state); });
 }
 
-void add_config_command(CLI::App& cli, CommandState& state) {
+void add_config_command(Command cli, CommandState& state) {
     auto file = std::make_shared<std::string>();
-    CLI::App* command =
-        cli.add_subcommand("config", "Prints the settings of a station with their defaults, or checks a file of them");
-    command->add_option("FILE", *file, "a file to check");
-    command->callback([file, &state] {
+    Command command =
+        cli.command("config", "Prints the settings of a station with their defaults, or checks a file of them");
+    command.option("FILE", *file, "a file to check");
+    command.runs([file, &state] {
         if (file->empty()) {
             std::printf("%s", default_config_text().c_str());
             return;

@@ -1,6 +1,5 @@
 // croquis mannequin: a body from measures.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -105,16 +104,15 @@ void run(const MannequinOptions& options, CommandState& state) {
 
 }  // namespace
 
-void add_mannequin_command(CLI::App& cli, CommandState& state) {
+void add_mannequin_command(Command cli, CommandState& state) {
     auto options = std::make_shared<MannequinOptions>();
-    CLI::App* command = cli.add_subcommand("mannequin", "A body from measurements");
-    command->add_option("--size", options->size, "36 to 44: a woman's EU size; m: a man's")->capture_default_str();
-    command->add_option("--measure", options->measures, "NAME=CM, replaces one measure of the size; may be repeated")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command->add_option("--out", options->out, "the OBJ file to write; a group for each part of the body")->required();
-    command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->callback([options, &state] { run(*options, state); });
+    Command command = cli.command("mannequin", "A body from measurements");
+    command.option("--size", options->size, "36 to 44: a woman's EU size; m: a man's").show_default();
+    command.option("--measure", options->measures, "NAME=CM, replaces one measure of the size; may be repeated")
+        .repeated();
+    command.option("--out", options->out, "the OBJ file to write; a group for each part of the body").required();
+    command.flag("--json", options->json, "one JSON object on standard output");
+    command.runs([options, &state] { run(*options, state); });
 }
 
 }  // namespace app

@@ -1,6 +1,5 @@
 #include "firmware_like_app/commands/command_pattern.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -82,20 +81,18 @@ void run_pattern(const PatternCommand& options, CommandState& state) {
 
 }  // namespace
 
-void add_pattern_command(CLI::App& garment, CommandState& state) {
+void add_pattern_command(Command garment, CommandState& state) {
     auto options = std::make_shared<PatternCommand>();
-    CLI::App* command = garment.add_subcommand("pattern", "Flat pieces of a saved design: SVG, PDF, DXF, seams");
-    command->add_option("DESIGN", options->design, "design file")->required();
-    command->add_option("--out", options->out, "folder to write to")->required();
-    command->add_option("--body", options->body, "a closed mesh to dress in place of the design's mannequin");
-    command->add_option("--seam", options->pattern.seam_allowance_cm, "seam allowance in cm")
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
-    command->add_option("--hem", options->pattern.hem_allowance_cm, "hem allowance in cm")
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
-    command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->callback([options, &state] { run_pattern(*options, state); });
+    Command command = garment.command("pattern", "Flat pieces of a saved design: SVG, PDF, DXF, seams");
+    command.option("DESIGN", options->design, "design file").required();
+    command.option("--out", options->out, "folder to write to").required();
+    command.option("--body", options->body, "a closed mesh to dress in place of the design's mannequin");
+    command.option("--seam", options->pattern.seam_allowance_cm, "seam allowance in cm")
+        .range(0.0, 10.0)
+        .show_default();
+    command.option("--hem", options->pattern.hem_allowance_cm, "hem allowance in cm").range(0.0, 10.0).show_default();
+    command.flag("--json", options->json, "one JSON object on standard output");
+    command.runs([options, &state] { run_pattern(*options, state); });
 }
 
 }  // namespace app

@@ -5,6 +5,6 @@
 
 namespace app {
 
-void add_pattern_command(CLI::App& garment, CommandState& state);
+void add_pattern_command(Command garment, CommandState& state);
 
 }  // namespace app

@@ -1,6 +1,5 @@
 // croquis query: ranks the collection for one drawing.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -145,18 +144,18 @@ void run_query(const QueryOptions& options, CommandState& state) {
 
 }  // namespace
 
-void add_query_command(CLI::App& cli, CommandState& state) {
+void add_query_command(Command cli, CommandState& state) {
     auto options = std::make_shared<QueryOptions>();
-    CLI::App* command = cli.add_subcommand("query", "Rank the collection for one drawing");
-    command->add_option("SKETCH", options->sketch, "picture, SVG, InkML, Quick-Draw line or stroke list")->required();
-    command->add_option("--db", options->database, "the index")->required();
-    command->add_option("--top", options->top, "results to give")->check(CLI::PositiveNumber);
-    command->add_option("--jobs", options->jobs, "threads")->check(CLI::PositiveNumber);
-    command->add_flag("--rerank", options->rerank,
-                      "rank along the likeness of the models among themselves too; the first stays the first");
-    command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->add_option("--picture", options->picture, "write a PNG with the results' matched parts");
-    command->callback([options, &state] { run_query(*options, state); });
+    Command command = cli.command("query", "Rank the collection for one drawing");
+    command.option("SKETCH", options->sketch, "picture, SVG, InkML, Quick-Draw line or stroke list").required();
+    command.option("--db", options->database, "the index").required();
+    command.option("--top", options->top, "results to give").positive();
+    command.option("--jobs", options->jobs, "threads").positive();
+    command.flag("--rerank", options->rerank,
+                 "rank along the likeness of the models among themselves too; the first stays the first");
+    command.flag("--json", options->json, "one JSON object on standard output");
+    command.option("--picture", options->picture, "write a PNG with the results' matched parts");
+    command.runs([options, &state] { run_query(*options, state); });
 }
 
 }  // namespace app

@@ -1,6 +1,5 @@
 // croquis describe, croquis match: one shape's parts, two shapes' correspondence.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -137,23 +136,23 @@ void run_match(const MatchOptions& options, CommandState& state) {
 
 }  // namespace
 
-void add_describe_command(CLI::App& cli, CommandState& state) {
+void add_describe_command(Command cli, CommandState& state) {
     auto options = std::make_shared<DescribeOptions>();
-    CLI::App* command = cli.add_subcommand("describe", "The parts of one shape");
-    command->add_option("SHAPE", options->shape, "picture, SVG, InkML, Quick-Draw line or stroke list")->required();
-    command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->add_option("--picture", options->picture, "write a PNG of every step");
-    command->callback([options, &state] { run_describe(*options, state); });
+    Command command = cli.command("describe", "The parts of one shape");
+    command.option("SHAPE", options->shape, "picture, SVG, InkML, Quick-Draw line or stroke list").required();
+    command.flag("--json", options->json, "one JSON object on standard output");
+    command.option("--picture", options->picture, "write a PNG of every step");
+    command.runs([options, &state] { run_describe(*options, state); });
 }
 
-void add_match_command(CLI::App& cli, CommandState& state) {
+void add_match_command(Command cli, CommandState& state) {
     auto options = std::make_shared<MatchOptions>();
-    CLI::App* command = cli.add_subcommand("match", "Distance and part correspondence of two shapes");
-    command->add_option("A", options->a, "first shape")->required();
-    command->add_option("B", options->b, "second shape")->required();
-    command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->add_option("--picture", options->picture, "write a PNG with matched parts in the same colours");
-    command->callback([options, &state] { run_match(*options, state); });
+    Command command = cli.command("match", "Distance and part correspondence of two shapes");
+    command.option("A", options->a, "first shape").required();
+    command.option("B", options->b, "second shape").required();
+    command.flag("--json", options->json, "one JSON object on standard output");
+    command.option("--picture", options->picture, "write a PNG with matched parts in the same colours");
+    command.runs([options, &state] { run_match(*options, state); });
 }
 
 }  // namespace app

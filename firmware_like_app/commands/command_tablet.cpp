@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -351,30 +350,29 @@ void run_decode(const TabletOptions& options, CommandState& state) {
 
 }  // namespace
 
-void add_tablet_commands(CLI::App& cli, CommandState& state) {
-    CLI::App* tablet = cli.add_subcommand("tablet", "Tablets: which are there, what they send");
-    tablet->require_subcommand(1);
+void add_tablet_commands(Command cli, CommandState& state) {
+    Command tablet = cli.group("tablet", "Tablets: which are there, what they send");
     auto options = std::make_shared<TabletOptions>();
 
-    CLI::App* list = tablet->add_subcommand("list", "The tablets that are attached");
-    list->add_flag("--json", options->json, "one JSON object on standard output");
-    list->callback([options, &state] { run_list(*options, state); });
+    Command list = tablet.command("list", "The tablets that are attached");
+    list.flag("--json", options->json, "one JSON object on standard output");
+    list.runs([options, &state] { run_list(*options, state); });
 
-    CLI::App* monitor = tablet->add_subcommand("monitor", "Live axes, report rate, jitter, parser, battery");
-    monitor->add_option("--seconds", options->seconds, "stop after this time")->check(CLI::PositiveNumber);
-    monitor->add_option("--by", options->by, "auto, hidraw, evdev or libinput");
-    monitor->add_flag("--json", options->json, "one JSON object when it ends");
-    monitor->callback([options, &state] { run_monitor(*options, state); });
+    Command monitor = tablet.command("monitor", "Live axes, report rate, jitter, parser, battery");
+    monitor.option("--seconds", options->seconds, "stop after this time").positive();
+    monitor.option("--by", options->by, "auto, hidraw, evdev or libinput");
+    monitor.flag("--json", options->json, "one JSON object when it ends");
+    monitor.runs([options, &state] { run_monitor(*options, state); });
 
-    CLI::App* decode = tablet->add_subcommand("decode", "Decode a captured report file to pen samples");
+    Command decode = tablet.command("decode", "Decode a captured report file to pen samples");
     decode
-        ->add_option("FILE", options->file,
-                     "hid-recorder, usbhid-dump, evemu, libinput record, trace; or a report descriptor")
-        ->required();
-    decode->add_option("--device", options->id, "VENDOR:PRODUCT, where the file does not say it");
-    decode->add_option("--descriptor", options->descriptor, "the tablet's report descriptor, bytes as /sys has them");
-    decode->add_flag("--json", options->json, "one JSON object on standard output");
-    decode->callback([options, &state] { run_decode(*options, state); });
+        .option("FILE", options->file,
+                "hid-recorder, usbhid-dump, evemu, libinput record, trace; or a report descriptor")
+        .required();
+    decode.option("--device", options->id, "VENDOR:PRODUCT, where the file does not say it");
+    decode.option("--descriptor", options->descriptor, "the tablet's report descriptor, bytes as /sys has them");
+    decode.flag("--json", options->json, "one JSON object on standard output");
+    decode.runs([options, &state] { run_decode(*options, state); });
 }
 
 }  // namespace app

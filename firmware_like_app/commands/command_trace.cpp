@@ -1,6 +1,5 @@
 // croquis trace info|convert|replay|record.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -214,36 +213,35 @@ void run_record(const TraceOptions& options, CommandState& state) {
 
 }  // namespace
 
-void add_trace_commands(CLI::App& cli, CommandState& state) {
-    CLI::App* trace = cli.add_subcommand("trace", "Stroke logs: what tablets sent, and what was made of it");
-    trace->require_subcommand(1);
+void add_trace_commands(Command cli, CommandState& state) {
+    Command trace = cli.group("trace", "Stroke logs: what tablets sent, and what was made of it");
     auto options = std::make_shared<TraceOptions>();
     const char* kinds = "trace, hid-recorder, usbhid-dump, evemu, libinput record, InkML, SVG or Quick-Draw line";
 
-    CLI::App* info = trace->add_subcommand("info", "What is in it");
-    info->add_option("FILE", options->file, kinds)->required();
-    info->add_flag("--json", options->json, "one JSON object on standard output");
-    info->callback([options, &state] { run_info(*options, state); });
+    Command info = trace.command("info", "What is in it");
+    info.option("FILE", options->file, kinds).required();
+    info.flag("--json", options->json, "one JSON object on standard output");
+    info.runs([options, &state] { run_info(*options, state); });
 
-    CLI::App* convert = trace->add_subcommand("convert", "Write it in another format");
-    convert->add_option("FILE", options->file, kinds)->required();
-    convert->add_option("OUT", options->out, "ends in .trace, .inkml, .svg or .ndjson")->required();
-    convert->add_flag("--json", options->json, "one JSON object on standard output");
-    convert->callback([options, &state] { run_convert(*options, state); });
+    Command convert = trace.command("convert", "Write it in another format");
+    convert.option("FILE", options->file, kinds).required();
+    convert.option("OUT", options->out, "ends in .trace, .inkml, .svg or .ndjson").required();
+    convert.flag("--json", options->json, "one JSON object on standard output");
+    convert.runs([options, &state] { run_convert(*options, state); });
 
-    CLI::App* play = trace->add_subcommand("replay", "Play it again and print its strokes");
-    play->add_option("FILE", options->file, kinds)->required();
-    play->add_flag("--paced", options->paced, "in the time in which it was drawn");
-    play->add_option("--speed", options->speed, "with --paced: so many times as fast")->check(CLI::Range(0.01, 1000.0));
-    play->add_flag("--json", options->json, "one JSON object on standard output");
-    play->callback([options, &state] { run_replay(*options, state); });
+    Command play = trace.command("replay", "Play it again and print its strokes");
+    play.option("FILE", options->file, kinds).required();
+    play.flag("--paced", options->paced, "in the time in which it was drawn");
+    play.option("--speed", options->speed, "with --paced: so many times as fast").range(0.01, 1000.0);
+    play.flag("--json", options->json, "one JSON object on standard output");
+    play.runs([options, &state] { run_replay(*options, state); });
 
-    CLI::App* record = trace->add_subcommand("record", "Record from the tablets that are plugged in");
-    record->add_option("OUT", options->out, "a new file, NAME.trace")->required();
-    record->add_option("--seconds", options->seconds, "stop after this time")->check(CLI::PositiveNumber);
-    record->add_option("--by", options->by, "auto, hidraw, evdev or libinput");
-    record->add_flag("--json", options->json, "one JSON object on standard output");
-    record->callback([options, &state] { run_record(*options, state); });
+    Command record = trace.command("record", "Record from the tablets that are plugged in");
+    record.option("OUT", options->out, "a new file, NAME.trace").required();
+    record.option("--seconds", options->seconds, "stop after this time").positive();
+    record.option("--by", options->by, "auto, hidraw, evdev or libinput");
+    record.flag("--json", options->json, "one JSON object on standard output");
+    record.runs([options, &state] { run_record(*options, state); });
 }
 
 }  // namespace app

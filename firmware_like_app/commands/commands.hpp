@@ -5,10 +5,7 @@
 #include <string>
 
 #include "core/base/error.hpp"
-
-namespace CLI {
-class App;
-}
+#include "firmware_like_app/commands/command_line.hpp"
 
 namespace app {
 
@@ -16,19 +13,19 @@ struct CommandState {
     int exit_code = 0;
 };
 
-void add_describe_command(CLI::App& cli, CommandState& state);
-void add_match_command(CLI::App& cli, CommandState& state);
-void add_eval_commands(CLI::App& cli, CommandState& state);
-void add_index_commands(CLI::App& cli, CommandState& state);
-void add_query_command(CLI::App& cli, CommandState& state);
-void add_starter_command(CLI::App& cli, CommandState& state);
-void add_tablet_commands(CLI::App& cli, CommandState& state);
-void add_trace_commands(CLI::App& cli, CommandState& state);
-void add_garment_commands(CLI::App& cli, CommandState& state);
-void add_mannequin_command(CLI::App& cli, CommandState& state);
-void add_kiosk_command(CLI::App& cli, CommandState& state);
-void add_config_command(CLI::App& cli, CommandState& state);
-void add_doctor_command(CLI::App& cli, CommandState& state);
+void add_describe_command(Command cli, CommandState& state);
+void add_match_command(Command cli, CommandState& state);
+void add_eval_commands(Command cli, CommandState& state);
+void add_index_commands(Command cli, CommandState& state);
+void add_query_command(Command cli, CommandState& state);
+void add_starter_command(Command cli, CommandState& state);
+void add_tablet_commands(Command cli, CommandState& state);
+void add_trace_commands(Command cli, CommandState& state);
+void add_garment_commands(Command cli, CommandState& state);
+void add_mannequin_command(Command cli, CommandState& state);
+void add_kiosk_command(Command cli, CommandState& state);
+void add_config_command(Command cli, CommandState& state);
+void add_doctor_command(Command cli, CommandState& state);
 
 /// One sentence on standard error, exit code 1.
 void fail(CommandState& state, const core::Error& error);

@@ -32,10 +32,10 @@ class SketchTest {
         std::vector<Row> rows{{"parts", {}}, {"fused", {}}};
         if (reranker_) rows.push_back({"reranked", {}});
         for (std::size_t q = 0; q < queries_.sketches.size(); ++q) {
-            rows[0].metrics.push_back(metrics_of(q, collection_.rank(queries_.sketches[q], RankBy::Parts, jobs_)));
-            const std::vector<RankedModel> fused = collection_.rank(queries_.sketches[q], RankBy::Fused, jobs_);
-            rows[1].metrics.push_back(metrics_of(q, fused));
-            if (reranker_) rows[2].metrics.push_back(metrics_of(q, reranked(*reranker_, fused)));
+            const BothRankings ranked = collection_.rank_both_ways(queries_.sketches[q], jobs_);
+            rows[0].metrics.push_back(metrics_of(q, ranked.by_parts));
+            rows[1].metrics.push_back(metrics_of(q, ranked.fused));
+            if (reranker_) rows[2].metrics.push_back(metrics_of(q, reranked(*reranker_, ranked.fused)));
         }
         return rows;
     }

@@ -28,6 +28,8 @@ struct Config {
         std::string languages_folder;
         bool attract = true;
         bool garment = true;
+        bool shadow = true;
+        std::string part_colours = "soft";
         std::string attract_drawings;  ///< folder; empty: those of the program
     } visitors;
     struct {

@@ -75,6 +75,14 @@ std::vector<Option> make_options() {
                        Switch([](Config& c) -> bool& { return c.visitors.attract; })});
     o.push_back(Option{"visitors", "garment", "Whether visitors can draw garments on a figure.",
                        Switch([](Config& c) -> bool& { return c.visitors.garment; })});
+    o.push_back(Option{"visitors", "shadow", "The best match lies under the drawing as a faint shadow.",
+                       Switch([](Config& c) -> bool& { return c.visitors.shadow; })});
+    o.push_back(Option{
+        "visitors", "part_colours",
+        "Colours of matched parts: \"soft\", or \"strong\" for screens and projectors that show soft ones pale.",
+        Text([](Config& c) -> std::string& {
+            return c.visitors.part_colours;
+        })}.one_of({"soft", "strong"}));
     o.push_back(Option{"visitors", "attract_drawings",
                        "A folder of drawings that draw themselves in place of those that come with Croquis, such as "
                        "traces\nof record.folder. Everybody sees them: take those whose makers agreed.",

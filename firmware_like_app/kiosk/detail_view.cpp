@@ -13,7 +13,7 @@
 namespace app {
 namespace {
 
-constexpr ui::PictureId kModel{100}, kInk{101};
+constexpr ui::PictureId kModel{100}, kInk{101}, kStill{102};
 constexpr int kFirstWash = 110, kFirstSimilar = 130;
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kGreeting = 24 * kDegree, kRaised = 12 * kDegree;
@@ -23,6 +23,7 @@ constexpr std::int64_t kSlowFrame_us = 26'000;
 constexpr int kSlowEnough = 2;
 constexpr double kDraft = 0.5;
 constexpr double kDrawingMargin = 0.11;
+constexpr double kStillShare = 0.4;   // of the model's place: its picture has twice the pixels each way
 constexpr double kTagsApart_px = 38;  // of the design: a number on the drawing and its edge
 
 ui::PictureId wash_id(std::size_t i) {
@@ -98,6 +99,7 @@ void uncross(std::vector<ui::DetailTag>& tags) {
 core::Result<DetailView> DetailView::create(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages) {
     core::Result<ui::ModelStage> stage = ui::ModelStage::create();
     if (!stage) return core::unexpected(stage.error());
+    stage->warm_up();
     core::Result<ui::ModelPainter> cards = ui::ModelPainter::create();
     if (!cards) return core::unexpected(cards.error());
     core::Result<ui::InkLayer> ink = ui::InkLayer::create({1, 1});
@@ -113,7 +115,7 @@ void DetailView::open(std::shared_ptr<const PreparedAnswer> answer, std::size_t 
                       const ui::Rect& from, ui::SizePx screen, ui::Hand hand, std::int64_t now_us,
                       ui::Painter& painter) {
     answer_ = std::move(answer);
-    cards_ = answer_->cards.empty() ? preparer_.prepare(answer_->answer) : answer_->cards;
+    cards_ = index < answer_->cards.size() ? answer_->cards : preparer_.prepare(answer_->answer);
     drawing_ = std::move(drawing);
     from_ = from;
     layout_ = ui::detail_layout(screen, hand);
@@ -130,23 +132,78 @@ void DetailView::show(std::size_t index, std::int64_t now_us, ui::Painter& paint
     focus_.reset();
     touch_.cancel();
     lifted_ = {};
-    surface_ = {};
     covered_.clear();
-    const FoundModel& model = found();
-    if (model.mesh && !model.mesh->empty()) {
-        // its card has been on the screen, so that most often this is made already
-        const bool made = index_ < cards_.size() && cards_[index_] != nullptr;
-        surface_ = made ? *cards_[index_]->geometry : ui::make_model_geometry(*model.mesh);
-        lifted_ = ui::lift_parts(surface_, model.camera, regions_of(model));
-        stage_.set_model(lifted_.geometry, ui::find_ground_contacts(lifted_.geometry, model.camera.up));
-    } else {
-        stage_.clear_model();
-    }
+    model_ = Model::None;
+    model_since_us_.reset();
+    painter.set_picture(kModel, nullptr);
+    stage_.clear_model();
+    surface_ = card() != nullptr ? card()->geometry : nullptr;
+    if (surface_) ask_for_model();
     similar_.clear();
     for (std::size_t i = 0; i < answer_->answer.best.size() && similar_.size() < ui::kSimilarCount; ++i) {
         if (i != index_ && i < cards_.size()) similar_.push_back(i);
     }
     lay_out(painter);
+    make_still(painter);
+}
+
+const ui::CardModel* DetailView::card() const {
+    return index_ < cards_.size() ? cards_[index_].get() : nullptr;
+}
+
+/// The model as on its card, to be seen until it can turn.
+void DetailView::make_still(ui::Painter& painter) {
+    painter.set_picture(kStill, nullptr);
+    still_.reset();
+    if (card() == nullptr) return;
+    ui::ModelPictureOptions options;
+    options.size = whole({0, 0, layout_.model.width * kStillShare, layout_.model.height * kStillShare});
+    still_ = card_painter_.paint(*card(), options);
+    still_place_ = ui::picture_place(*card(), options);
+    painter.set_picture(kStill, &*still_);
+}
+
+void DetailView::ask_for_model() {
+    DetailJob job{++ticket_, surface_, found().camera, regions_of(found())};
+    model_ = Model::Asked;
+    if (worker_) return worker_->start(std::move(job));
+    take_model(prepare_detail(job));
+    upload_model();
+    model_ = Model::Drawn;  // by draw_model, before the frame
+}
+
+void DetailView::take_model(PreparedDetail ready) {
+    if (model_ != Model::Asked || ready.ticket != ticket_) return;  // of a result that was left
+    lifted_ = std::move(ready.lifted);
+    contacts_ = std::move(ready.contacts);
+    if (focus_) ui::recolour(lifted_, focus_);
+    model_ = Model::Lifted;
+    view_.reset();
+}
+
+void DetailView::upload_model() {
+    stage_.set_model(lifted_.geometry, contacts_);
+    model_ = Model::Uploaded;
+}
+
+void DetailView::set_frames_are_seen(bool seen) {
+    frames_are_seen_ = seen;
+    worker_ = seen ? std::make_unique<NewestWorker<DetailJob, PreparedDetail>>(prepare_detail) : nullptr;
+}
+
+void DetailView::use_spare_time(ui::Painter& painter) {
+    if (!is_open()) return;
+    if (model_ == Model::Lifted) {
+        upload_model();
+    } else if (model_ == Model::Uploaded) {
+        stage_.make_picture(whole(layout_.stage));
+        model_ = Model::Pictured;
+    } else if (model_ == Model::Pictured && view_) {
+        draw_stage(painter);
+        model_ = Model::Drawn;
+    } else {
+        paint_similar(1, painter);
+    }
 }
 
 void DetailView::resize(ui::SizePx screen, ui::Hand hand, ui::Painter& painter) {
@@ -156,14 +213,11 @@ void DetailView::resize(ui::SizePx screen, ui::Hand hand, ui::Painter& painter) 
 
 /// What depends on the size of the screen.
 void DetailView::lay_out(ui::Painter& painter) {
-    core::Point low{1e9, 1e9}, high{-1e9, -1e9};
-    for (std::size_t i = 0; i + 8 < lifted_.geometry.corners.size(); i += 9) {
-        const float* f = lifted_.geometry.corners.data() + i;
-        const core::Point p = found().camera.project({f[0], f[1], f[2]});
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    core::Point low, high;
+    if (card() != nullptr) {
+        low = {card()->left, card()->bottom};
+        high = {card()->right, card()->top};
     }
-    if (high.x < low.x) low = high = {};
     ground_ = low.y;
     plane_middle_ = (low.x + high.x) / 2;
     wide_ = std::max(high.x - low.x, 0.05);
@@ -233,17 +287,19 @@ void DetailView::paint_similar(std::size_t count, ui::Painter& painter) {
 }
 
 void DetailView::close(ui::Painter& painter) {
-    painter.set_picture(kModel, nullptr);
-    painter.set_picture(kInk, nullptr);
+    for (const ui::PictureId id : {kModel, kInk, kStill}) painter.set_picture(id, nullptr);
     for (std::size_t i = 0; i < wash_.size(); ++i) painter.set_picture(wash_id(i), nullptr);
     for (std::size_t i = 0; i < ui::kSimilarCount; ++i) painter.set_picture(similar_id(i), nullptr);
     wash_.clear();
     similar_pictures_.clear();
     similar_.clear();
     stage_.clear_model();
+    model_ = Model::None;
+    still_.reset();
     ink_.resize({1, 1});
     lifted_ = {};
-    surface_ = {};
+    contacts_.clear();
+    surface_.reset();
     covered_.clear();
     drawing_ = {};
     cards_.clear();
@@ -256,10 +312,12 @@ void DetailView::close(ui::Painter& painter) {
 void DetailView::set_focus(std::optional<int> focus) {
     if (focus == focus_) return;
     focus_ = focus;
+    recolour();
+}
+
+void DetailView::recolour() {
     ui::recolour(lifted_, focus_);
-    if (!lifted_.geometry.corners.empty()) {
-        stage_.set_model(lifted_.geometry, ui::find_ground_contacts(lifted_.geometry, found().camera.up));
-    }
+    if (model_ > Model::Lifted) stage_.set_model(lifted_.geometry, contacts_);
     view_.reset();
     drawn_view_.reset();
 }
@@ -342,12 +400,18 @@ void DetailView::update(std::int64_t now_us) {
     if (drew_last_ && !draft_)
         slow_frames_ = std::clamp(slow_frames_ + (now_us - last_us_ > kSlowFrame_us ? 1 : -1), 0, 4);
     last_us_ = now_us;
+    if (worker_) {
+        if (auto ready = worker_->take()) take_model(std::move(*ready));
+    }
+    if (model_ == Model::Drawn && !model_since_us_ && (opened(now_us) >= 1 || touched_)) model_since_us_ = now_us;
     if (!touched_) {
-        // the greeting: once to the side and back, while the view rises to where the ground is seen
-        const std::int64_t age_us = now_us - opened_us_ - kOpen_us;
+        // the greeting: once to the side and back, while the view rises to where the ground is seen; not before the
+        // model has grown to its place, so that its picture need not be drawn anew meanwhile
+        const std::int64_t age_us = model_since_us_ ? now_us - *model_since_us_ : 0;
         const double t = std::clamp(static_cast<double>(age_us) / static_cast<double>(kGreeting_us), 0.0, 1.0);
         azimuth_ = kGreeting * (1 - std::cos(2 * std::numbers::pi * t)) / 2;
-        elevation_ = kRaised * opened(now_us);
+        const double risen = static_cast<double>(age_us) / static_cast<double>(kRise_us);
+        elevation_ = kRaised * eased(risen);
     }
     azimuth_ = std::remainder(azimuth_, 2 * std::numbers::pi);
     const ui::StageView now = view();
@@ -356,16 +420,20 @@ void DetailView::update(std::int64_t now_us) {
     ++view_number_;
     covered_.clear();
     for (const ui::LiftedAnchor& anchor : lifted_.anchors) {
-        covered_.push_back(is_covered(surface_, anchor.place, now.camera.direction));
+        covered_.push_back(is_covered(*surface_, anchor.place, now.camera.direction));
     }
 }
 
 void DetailView::draw_model(ui::Painter& painter) {
-    if (!is_open() || !view_) return;
+    if (!is_open() || !view_ || model_ != Model::Drawn) return;
     const bool moved = !drawn_view_ || !(*drawn_view_ == *view_);
     drew_last_ = moved || draft_;
     if (!drew_last_) return;
     draft_ = moved && frames_are_seen_ && slow_frames_ >= kSlowEnough;
+    draw_stage(painter);
+}
+
+void DetailView::draw_stage(ui::Painter& painter) {
     drawn_view_ = view_;
     ui::StageView drawn = *view_;
     ui::Rect stage = layout_.stage;
@@ -396,6 +464,27 @@ ui::StageView DetailView::view() const {
     v.centre_px = {layout_.ring.x - layout_.stage.x - (v.mirrored ? -at.x : at.x) * v.scale_px,
                    layout_.ring.y - layout_.stage.y + at.y * v.scale_px};
     return v;
+}
+
+/// Where the still picture is: its model grows from the card to where the stage shows it.
+ui::Rect DetailView::still_rect(double opened) const {
+    const double side = found().mirrored ? -1 : 1;
+    const auto mix = [&](double a, double b) { return a + (b - a) * opened; };
+    const double on_card = std::min(from_.width * 0.9 / wide_, from_.height * 0.87 / tall_);
+    const double scale = mix(on_card, fit_scale_);  // px a unit of the plane
+    const core::Point foot{mix(from_.centre_x(), layout_.ring.x),
+                           mix(from_.bottom() - from_.height * 0.08, layout_.ring.y)};
+    const double k = scale / still_place_.scale_px;
+    const core::Point origin{foot.x - side * plane_middle_ * scale, foot.y + ground_ * scale};
+    const ui::SizePx size = still_ ? still_->size() : ui::SizePx{};  // twice that of its place
+    return {origin.x - still_place_.origin_px.x * k, origin.y - still_place_.origin_px.y * k, size.width * k / 2,
+            size.height * k / 2};
+}
+
+double DetailView::still_opacity(std::int64_t now_us) const {
+    if (!still_) return 0;
+    if (!model_since_us_) return 1;
+    return std::clamp(1 - static_cast<double>(now_us - *model_since_us_) / static_cast<double>(kFade_us), 0.0, 1.0);
 }
 
 std::vector<ui::DetailTag> DetailView::model_tags() const {
@@ -448,16 +537,10 @@ ui::DetailState DetailView::state(std::size_t language, std::int64_t now_us) con
     s.wear = wear_offered_ && found().mesh != nullptr && !found().mesh->vertices.empty();
     if (s.caption == s.name) s.caption.clear();
     s.opened = opened(now_us);
-    s.model = kModel;
-    const auto mix = [&](double a, double b) { return std::round(a + (b - a) * s.opened); };
-    const ui::Rect& stage = layout_.stage;
-    // the model in the stage's picture grows from the size it has on the card
-    const double small = from_.width / std::max(layout_.model.width, 1.0);
-    const ui::Rect start{from_.centre_x() - (layout_.model.centre_x() - stage.x) * small,
-                         from_.centre_y() - (layout_.model.centre_y() - stage.y) * small, stage.width * small,
-                         stage.height * small};
-    s.model_rect = {mix(start.x, stage.x), mix(start.y, stage.y), mix(start.width, stage.width),
-                    mix(start.height, stage.height)};
+    if (model_since_us_) s.model = kModel;
+    s.still = kStill;
+    s.still_opacity = still_opacity(now_us);
+    if (s.still_opacity > 0) s.still_rect = still_rect(s.opened);
     s.ink = kInk;
     s.inked = ink_.inked();
     const ui::Rect& box = layout_.drawing;

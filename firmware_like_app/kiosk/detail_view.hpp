@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "firmware_like_app/kiosk/detail_model.hpp"
+#include "firmware_like_app/kiosk/newest_worker.hpp"
 #include "firmware_like_app/kiosk/search_worker.hpp"
 #include "ui/draw/ink_layer.hpp"
 #include "ui/draw/lifted_parts.hpp"
@@ -18,12 +20,14 @@ namespace app {
 
 class DetailView {
   public:
-    /// Where every frame is seen: the moving model is drawn with fewer pixels when frames come slowly, and pictures of
-    /// similar models come one by one (use_spare_time). Else all is as it will be at once.
-    void set_frames_are_seen(bool seen) { frames_are_seen_ = seen; }
-    /// Paints one picture that is wanted; see FindMode::use_spare_time.
-    void use_spare_time(ui::Painter& painter) { paint_similar(1, painter); }
-    static constexpr std::int64_t kOpen_us = 320'000, kGreeting_us = 4'000'000;
+    /// Where every frame is seen no frame waits for a model: it is made ready on another thread, comes to the graphics
+    /// card in steps (use_spare_time) and is shown as on its card until then; the moving model is drawn with fewer
+    /// pixels when frames come slowly; pictures of similar models come one by one. Else all is as it will be at once.
+    void set_frames_are_seen(bool seen);
+    /// One step of what is wanted; see FindMode::use_spare_time.
+    void use_spare_time(ui::Painter& painter);
+    static constexpr std::int64_t kOpen_us = 320'000, kGreeting_us = 4'000'000, kRise_us = 600'000;
+    static constexpr std::int64_t kFade_us = 160'000;  ///< from the still picture to the model that turns
 
     [[nodiscard]] static core::Result<DetailView> create(const ui::FontSet& fonts,
                                                          const std::vector<ui::Strings>& languages);
@@ -53,6 +57,8 @@ class DetailView {
     [[nodiscard]] ui::DetailState state(std::size_t language, std::int64_t now_us) const;
     [[nodiscard]] ui::DrawList draw(const ui::DetailState& state) const { return screen_.draw(state, layout_); }
     [[nodiscard]] const ui::DetailLayout& layout() const { return layout_; }
+    /// Parts have other colours from now on (ui/draw/palette.hpp): those of the model change.
+    void recolour();
     /// Which of the answer is shown.
     [[nodiscard]] std::size_t index() const { return index_; }
 
@@ -65,6 +71,15 @@ class DetailView {
         int colour;
     };
     void show(std::size_t index, std::int64_t now_us, ui::Painter& painter);
+    /// Of what is shown; null where it has no mesh.
+    [[nodiscard]] const ui::CardModel* card() const;
+    void make_still(ui::Painter& painter);
+    void ask_for_model();
+    void take_model(PreparedDetail ready);
+    void upload_model();
+    void draw_stage(ui::Painter& painter);
+    [[nodiscard]] ui::Rect still_rect(double opened) const;
+    [[nodiscard]] double still_opacity(std::int64_t now_us) const;
     void lay_out(ui::Painter& painter);
     void make_drawing(ui::Painter& painter);
     void make_similar(ui::Painter& painter);
@@ -92,8 +107,16 @@ class DetailView {
     std::vector<ui::DetailTag> drawing_tags_;  // from the box's corner
     std::vector<std::size_t> similar_;         // places in the answer
     std::vector<ui::Texture> similar_pictures_;
+    // the model on its way: asked for, lifted, uploaded, its picture made, drawn
+    enum class Model { None, Asked, Lifted, Uploaded, Pictured, Drawn } model_ = Model::None;
+    std::unique_ptr<NewestWorker<DetailJob, PreparedDetail>> worker_;
+    std::uint64_t ticket_ = 0;  // of the newest that was asked for
+    std::optional<ui::Texture> still_;
+    ui::PicturePlace still_place_;
+    std::optional<std::int64_t> model_since_us_;  // shown since
     ui::LiftedModel lifted_;
-    ui::ModelGeometry surface_;                              // uncut: what may stand before a part
+    std::vector<ui::GroundContact> contacts_;
+    std::shared_ptr<const ui::ModelGeometry> surface_;       // uncut: what may stand before a part
     std::vector<bool> covered_;                              // for each anchor, in the view as it is
     double ground_ = -1, fit_scale_ = 1, plane_middle_ = 0;  // of the model in its first view
     double wide_ = 1, tall_ = 1;                             // units

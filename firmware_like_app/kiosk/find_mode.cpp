@@ -63,7 +63,8 @@ FindMode::FindMode(const ui::FontSet& fonts, const std::vector<ui::Strings>& lan
       screen_(fonts, languages),
       painter_(std::move(painter)),
       ink_layer_(std::move(ink)),
-      pictures_(std::move(pictures)) {
+      pictures_(std::move(pictures)),
+      shadow_(options.every_frame_seen) {
     if (searcher != nullptr) worker_ = std::make_unique<SearchWorker>(*searcher);
     if (searcher != nullptr && options.every_frame_seen) card_worker_ = std::make_unique<CardWorker>();
     ink_layer_.resize(sheet_size(layout_));
@@ -298,6 +299,7 @@ void FindMode::drop_results() {
     oldest_ticket_ = last_ticket_ + 1;
     ranking_.reset();
     answer_.reset();
+    shadow_.clear(painter_);
     order_.clear();
     rail_.set({});
     wash_.clear();
@@ -314,6 +316,7 @@ void FindMode::accept(PreparedAnswer answer) {
     for (const FoundModel& model : answer.answer.best) models.push_back(model.id);
     order_.see(models);
     ranking_ = std::make_shared<const PreparedAnswer>(std::move(answer));
+    if (options_.shadow) shadow_.see(ranking_, extent_of(sketch_.drawing()));
 }
 
 /// The models in the order of the cards, as the newest answer has them; one that it has no more as the cards have it.
@@ -364,6 +367,18 @@ void FindMode::change_cards(std::int64_t now_us) {
     card_worker_->start(arranged(resting ? order_.settle(frozen) : order_.rearrange(frozen)));
 }
 
+void FindMode::recolour() {
+    if (!answer_ || !ranking_) return;
+    if (card_worker_) {
+        shown_ranking_ = 0;  // change_cards brings it once more
+        return;
+    }
+    auto plain = std::make_shared<PreparedAnswer>(*answer_);
+    plain->cards.clear();
+    answer_ = std::move(plain);
+    show_answer();
+}
+
 void FindMode::show_answer() {
     answer_is_shown_ = false;
     if (options_.every_frame_seen) make_answer_visible();
@@ -409,13 +424,19 @@ bool FindMode::wash_is_current() const {
     return answer_ && answer_->ticket == last_ticket_ && last_ticket_revision_ == sketch_.revision();
 }
 
+void FindMode::search_news() {
+    if (!worker_ || !options_.search_while_drawing || pen_ != Pen::Drawing || sketch_.empty()) return;
+    if (sketch_.revision() != submitted_revision_) submit();
+}
+
 void FindMode::update(std::int64_t now_us) {
     if (cleared_ && now_us - cleared_us_ > kClearedOffer_us) cleared_ = false;
+    search_news();
     if (worker_) {
-        const bool news = sketch_.revision() != submitted_revision_ && !sketch_.empty();
-        if (options_.search_while_drawing && pen_ == Pen::Drawing && news) submit();
         if (auto answer = worker_->take()) accept(std::move(*answer));
     }
+    const bool last = pen_ == Pen::Up && ranking_ && ranking_->ticket == last_ticket_;
+    shadow_.update(now_us, last, painter_);
     change_cards(now_us);
     if (!options_.spare_time) use_spare_time();
     if (auto faces = pictures_.take_finished()) rail_.set(std::move(*faces));
@@ -449,6 +470,7 @@ void FindMode::search_and_wait() {
 
 void FindMode::settle(bool resting) {
     make_answer_visible();
+    shadow_.settle(painter_);
     pictures_.paint(static_cast<int>(ui::kCardCount), layout_, painter_);
     if (auto faces = pictures_.take_finished()) rail_.set(std::move(*faces));
     rail_.settle();
@@ -501,6 +523,7 @@ ui::FindState FindMode::state(std::int64_t now_us) const {
     const bool nothing = !answer_ || answer_->answer.message_key.empty();
     s.board_message = words[nothing ? options_.board_key : answer_->answer.message_key];
     s.cards = rail_.slots(now_us);
+    if (options_.shadow) s.shadows = shadow_.shown(now_us, frame_, layout_.sheet);
     for (std::size_t i = 0; i < wash_.size(); ++i) {
         const ui::Rect& r = wash_[i].in_sheet;
         s.wash.push_back({wash_id(i),

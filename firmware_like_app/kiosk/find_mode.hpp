@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware_like_app/kiosk/best_shadow.hpp"
 #include "firmware_like_app/kiosk/card_pictures.hpp"
 #include "firmware_like_app/kiosk/card_worker.hpp"
 #include "firmware_like_app/kiosk/mode.hpp"
@@ -26,7 +27,8 @@ struct FindOptions {
     std::size_t language = 0;
     ui::Hand hand = ui::Hand::Right;
     std::string board_key = "hint_board";  ///< of the words on the board while it shows no cards
-    bool search_while_drawing = true;      ///< after every frame that brought samples; false: only after strokes
+    bool shadow = true;                    ///< of the best match, under the ink
+    bool search_while_drawing = true;      ///< whenever samples came; false: only after strokes
     bool every_frame_seen = true;          ///< false: cards and wash are made when settle() asks for them
     bool spare_time = false;               ///< true: card pictures are painted in use_spare_time() alone
 };
@@ -54,6 +56,8 @@ class FindMode final : public Mode {
     void extend_stroke(const core::PenSample& sample);
     void end_stroke(std::int64_t now_us);
 
+    /// Searches what was drawn since the last search, while a stroke is drawn.
+    void search_news();
     /// Once a frame: searches when due, takes answers, paints a few card pictures, moves what fades.
     void update(std::int64_t now_us) override;
     /// Paints one card picture that is wanted. To be called when a frame is on its way to the screen, before the pen is
@@ -93,6 +97,10 @@ class FindMode final : public Mode {
     void offer_garment(bool offered) { garment_offered_ = offered; }
     /// The visitor pressed Garment.
     [[nodiscard]] bool take_garment_wish() { return std::exchange(garment_wanted_, false); }
+    /// Parts have other colours from now on (ui/draw/palette.hpp): cards are painted anew.
+    void recolour();
+    /// Whether the best match lies under the ink as a shadow.
+    void show_shadow(bool shown) { options_.shadow = shown; }
     void set_board_key(std::string key) { options_.board_key = std::move(key); }
     /// A card that was tapped.
     struct OpenedCard {
@@ -176,6 +184,7 @@ class FindMode final : public Mode {
     std::uint64_t oldest_ticket_ = 0;  // answers to older drawings are of a sheet that is gone
     std::uint64_t last_ticket_ = 0, last_ticket_revision_ = 0, submitted_revision_ = 0;
     std::string search_failure_;
+    BestShadow shadow_;
     CardPreparer preparer_;        // for answers that come without cards
     bool answer_is_shown_ = true;  // cards and wash were made of answer_
 

@@ -84,6 +84,7 @@ void GarmentMode::ready_desk() {
     }
     desk_.emplace(std::move(*desk));
     body_.set(desk_->state().settings().body);
+    stepper_.set_quads(desk_->network().options().edge_cm);
     drawing_due_ = true;
     request_cloth();
     show_cloth();
@@ -109,6 +110,7 @@ core::Result<void> GarmentMode::open(const core::Design& design) {
     coming_ = {};
     desk_.emplace(std::move(*desk));
     body_.set(desk_->state().settings().body);
+    stepper_.set_quads(desk_->network().options().edge_cm);
     textured_.clear();
     choose_piece();
     objects_.choose("");
@@ -276,6 +278,7 @@ void GarmentMode::take_reply(const core::DeskReply& reply, std::int64_t now_us) 
     for (const core::DeskNote& n : reply.notes) note(n);
     if (reply.changed) {
         cleared_ = false;
+        stepper_.set_quads(desk_->network().options().edge_cm);
         choose_piece();
         keeper_.take(*desk_);
         request_cloth();
@@ -560,6 +563,7 @@ void GarmentMode::release(const ui::WindowEvent& event) {
         touch_.move(event.x, event.y);
         if (const auto intent = touch_.release()) act(*intent, event.time_us);
     }
+    keep_quads(event.time_us);
 }
 
 void GarmentMode::end_stroke(const ui::WindowEvent& event) {
@@ -610,6 +614,7 @@ void GarmentMode::drop_hold(std::int64_t now_us) {
     if (held == Hold::Folds) desk_->drop_live();
     if (held == Hold::Object) let_object_go(now_us);
     if (held == Hold::Measure) keep_body(now_us);
+    keep_quads(now_us);
     live_due_ = true;
 }
 
@@ -625,6 +630,7 @@ void GarmentMode::take_back() {
         show_objects();
     }
     if (desk_ && held == Hold::Measure) body_.set(desk_->state().worn()->form.measures.value_or(body_.measures()));
+    if (desk_) stepper_.set_quads(desk_->network().options().edge_cm);
     body_due_ = erasing_ = false;
     stroke_px_.clear();
     pointer_px_.reset();

@@ -194,6 +194,7 @@ class GarmentMode final : public Mode {
     [[nodiscard]] ui::StepperOf stepper_of() const;
     [[nodiscard]] double last_place_cm(ui::StepperOf what) const;
     void step_number(int direction);
+    void keep_quads(std::int64_t now_us);
     void fill_planes(ui::GarmentState& state) const;
 
     // state

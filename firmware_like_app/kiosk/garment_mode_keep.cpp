@@ -155,6 +155,7 @@ void GarmentMode::open_kept(std::int64_t id) {
         return;
     }
     if (!kept->state.undone.empty()) (void)desk_->go_to(place);
+    stepper_.set_quads(desk_->network().options().edge_cm);
     (void)desk_->take_journal();
     keeper_.follow(id, kept->sequence);
     if (!kept->faults.empty()) problem_ = kept->faults.front();

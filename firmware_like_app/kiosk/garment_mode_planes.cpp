@@ -20,12 +20,13 @@ double along(core::Vec3 p, int axis) {
 }  // namespace
 
 ui::StepperOf GarmentMode::stepper_of() const {
+    if (page_ + 1 == ui::kGarmentPages) return ui::StepperOf::Quads;
     return GarmentStepper::of(tool_, views_.camera().view);
 }
 
 /// Where the last line ends: a plane that was nowhere is stepped from there.
 double GarmentMode::last_place_cm(ui::StepperOf what) const {
-    if (!desk_ || what == ui::StepperOf::Offset || what == ui::StepperOf::AbovePoint) return 0;
+    if (!desk_ || !ui::is_plane(what)) return 0;
     const int axis = core::axis_toward(views_.camera().view);
     if (const core::LineGoingOn* going = desk_->line_going_on(); going != nullptr) return along(going->end, axis);
     const std::vector<core::NetworkLine>& lines = desk_->network().lines();
@@ -40,6 +41,12 @@ void GarmentMode::step_number(int direction) {
     stepper_.step(what, direction * GarmentStepper::tenths_of_step(what, repeats_), last_place_cm(what));
 }
 
+/// What the stepper made of the quads, when it is let go.
+void GarmentMode::keep_quads(std::int64_t now_us) {
+    const std::optional<double> cm = stepper_.cm(ui::StepperOf::Quads);
+    if (desk_ && cm && *cm != desk_->network().options().edge_cm) take_reply(desk_->set_edge(*cm), now_us);
+}
+
 /// The plane of the stroke; before it, the one that the stepper put. Over the figure where it is seen from above or
 /// below, in the small views as a line or a frame.
 void GarmentMode::fill_planes(ui::GarmentState& state) const {
@@ -51,7 +58,7 @@ void GarmentMode::fill_planes(ui::GarmentState& state) const {
             const core::Vec3 normal = core::cross(plane->right, plane->up);
             plane->origin = line.front() + normal * core::dot(plane->origin - line.front(), normal);
         }
-    } else if (tool_ == ui::GarmentTool::OnPlane && state.stepper.cm) {
+    } else if (ui::is_plane(state.stepper.of) && state.stepper.cm) {
         const int axis = core::axis_toward(views_.camera().view);
         plane = core::plane_across(axis, *state.stepper.cm);
         if (axis != 1) plane->origin.y = 0.5 * views_.height_cm();

@@ -56,6 +56,8 @@ const char* key_of(core::DesignStep::Kind kind) {
             return "step_object";
         case K::Unplace:
             return "step_object_off";
+        case K::Edges:
+            return "quads_size";
         default:
             return "step_other";
     }

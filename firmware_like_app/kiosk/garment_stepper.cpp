@@ -18,6 +18,8 @@ Range range_of(Of what) {
             return {0, 20};
         case Of::Height:
             return {-10, 220};
+        case Of::Quads:
+            return {1, 6};
         case Of::Across:
         case Of::Depth:
         case Of::AbovePoint:
@@ -28,10 +30,6 @@ Range range_of(Of what) {
 
 std::size_t axis_of(Of what) {
     return what == Of::Across ? 0 : what == Of::Height ? 1 : 2;
-}
-
-bool is_plane(Of what) {
-    return what == Of::Across || what == Of::Height || what == Of::Depth;
 }
 
 double tenths(double cm) {
@@ -54,6 +52,7 @@ std::optional<double>& GarmentStepper::plane(Of what) {
 std::optional<double> GarmentStepper::cm(Of what) const {
     if (what == Of::Offset) return offset_cm_;
     if (what == Of::AbovePoint) return temporary_cm_;
+    if (what == Of::Quads) return quads_cm_;
     return planes_cm_[axis_of(what)];
 }
 
@@ -76,6 +75,8 @@ void GarmentStepper::put(Of what, double cm) {
         offset_cm_ = value;
     else if (what == Of::AbovePoint)
         temporary_cm_ = value;
+    else if (what == Of::Quads)
+        quads_cm_ = value;
     else
         plane(what) = value;
 }
@@ -85,7 +86,7 @@ void GarmentStepper::step(Of what, int by, double start_cm) {
 }
 
 int GarmentStepper::tenths_of_step(Of what, int repeats) {
-    if (what == Of::Offset) return 1;
+    if (what == Of::Offset || what == Of::Quads) return 1;
     return repeats < 10 ? 1 : repeats < 25 ? 5 : 10;
 }
 
@@ -96,7 +97,7 @@ void GarmentStepper::drag(Of what, double from_cm, double design_px) {
 
 void GarmentStepper::toggle(Of what, double start_cm) {
     if (what == Of::AbovePoint) temporary_cm_ = 0.0;
-    if (!is_plane(what)) return;
+    if (!ui::is_plane(what)) return;
     std::optional<double>& other = put_aside_[axis_of(what)];
     if (std::optional<double>& now = plane(what); now) {
         other = now;

@@ -1,5 +1,6 @@
 #pragma once
-// The stepper below Garment's tools: how far from the body lines lie, and where the planes lie that they are drawn in.
+// The stepper below Garment's tools: how far from the body lines lie, where the planes lie that they are drawn in, and,
+// on the page of the design as a whole, how large its quads are.
 
 #include <array>
 #include <optional>
@@ -15,6 +16,8 @@ class GarmentStepper {
   public:
     /// What the tool draws in: the plane across an axis, or another.
     [[nodiscard]] static ui::StepperOf of(ui::GarmentTool tool, const core::DrawingView& view);
+    /// As the design has it.
+    void set_quads(double cm) { quads_cm_ = cm; }
 
     [[nodiscard]] double offset_cm() const { return offset_cm_; }
     /// None: through what a stroke starts at.
@@ -36,7 +39,7 @@ class GarmentStepper {
     [[nodiscard]] std::optional<double>& plane(ui::StepperOf what);
     void put(ui::StepperOf what, double cm);
 
-    double offset_cm_ = 1.2, temporary_cm_ = 0.0;
+    double offset_cm_ = 1.2, temporary_cm_ = 0.0, quads_cm_ = core::NetworkOptions{}.edge_cm;
     std::array<std::optional<double>, 3> planes_cm_;  // by axis
     std::array<std::optional<double>, 3> put_aside_;  // what a tap let go
 };

@@ -1,8 +1,11 @@
 #include "firmware_like_app/kiosk/garment_trace.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "input/sources/pen_source.hpp"
 
@@ -126,6 +129,20 @@ std::optional<ui::WindowEvent> event_of(const input::TraceMarker& mark) {
     return event;
 }
 
+using Recorded = std::variant<const input::PenSample*, const input::TraceMarker*>;
+
+/// Samples and marks as they came: a recorder writes the marks of a while behind its samples.
+std::vector<Recorded> in_time(const input::Trace& trace) {
+    std::vector<Recorded> all;
+    for (const input::TraceRecord& record : trace.records) {
+        if (const auto* sample = std::get_if<input::PenSample>(&record)) all.emplace_back(sample);
+        if (const auto* mark = std::get_if<input::TraceMarker>(&record)) all.emplace_back(mark);
+    }
+    const auto time = [](const Recorded& r) { return std::visit([](const auto* v) { return v->time_ns; }, r); };
+    std::stable_sort(all.begin(), all.end(), [&](const Recorded& a, const Recorded& b) { return time(a) < time(b); });
+    return all;
+}
+
 }  // namespace
 
 /// What the trace knows of mouse, finger and pen: one device on the screen.
@@ -232,20 +249,21 @@ core::Result<GarmentReplay> garment_replay(const input::Trace& trace, std::strin
         event.time_us = std::max<std::int64_t>(0, (time_ns - *first_ns) / 1000);
         replay.events.push_back(event);
     };
-    for (const input::TraceRecord& record : trace.records) {
-        if (const auto* sample = std::get_if<input::PenSample>(&record)) {
-            add(event_of(*sample, down, screen), sample->time_ns);
-            down = sample->tip;
-        } else if (const auto* marked = std::get_if<input::TraceMarker>(&record)) {
-            if (std::optional<core::PlacedObject> placed = placed_of(marked->text)) {
-                replay.placed.push_back({replay.events.size(), std::move(*placed)});
-                continue;
-            }
-            const std::optional<ui::WindowEvent> event = event_of(*marked);
-            if (!event) continue;
-            add(*event, marked->time_ns);
-            if (event->kind != Kind::Zoom) down = false;
+    for (const Recorded& record : in_time(trace)) {
+        if (const auto* sample = std::get_if<const input::PenSample*>(&record)) {
+            add(event_of(**sample, down, screen), (*sample)->time_ns);
+            down = (*sample)->tip;
+            continue;
         }
+        const input::TraceMarker& marked = *std::get<const input::TraceMarker*>(record);
+        if (std::optional<core::PlacedObject> placed = placed_of(marked.text)) {
+            replay.placed.push_back({replay.events.size(), std::move(*placed)});
+            continue;
+        }
+        const std::optional<ui::WindowEvent> event = event_of(marked);
+        if (!event) continue;
+        add(*event, marked.time_ns);
+        if (event->kind != Kind::Zoom) down = false;
     }
     return replay;
 }

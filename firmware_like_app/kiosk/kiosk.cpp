@@ -9,6 +9,7 @@
 
 #include "core/exchange/design_file.hpp"
 #include "core/exchange/png_writer.hpp"
+#include "firmware_like_app/health/self_test.hpp"
 #include "firmware_like_app/kiosk/drawing_recorder.hpp"
 #include "firmware_like_app/kiosk/find_mode.hpp"
 #include "firmware_like_app/kiosk/live_searcher.hpp"
@@ -91,7 +92,8 @@ class Loop {
         return std::move(report_);
     }
 
-    /// All that pointed since the last frame.
+    /// All that pointed since the last call: once a frame, and while a stroke is drawn also between frames, so that its
+    /// search need not wait for the next one.
     void point() {
         const std::vector<ui::WindowEvent> events =
             pens_.merge(surface_.poll(), surface_.size(), shell_.sheet(), surface_.now_us());
@@ -192,6 +194,8 @@ class Loop {
             facts.pen_asleep = facts.pen_asleep || tablet.asleep;
         }
         facts.problems = report_.problems;
+        facts.memory_mb = memory_mb_;
+        facts.free_disk_gb = free_disk_gb_;
         shell_.set_facts(std::move(facts));
     }
 
@@ -202,6 +206,9 @@ class Loop {
         tell_facts();
         if (surface_.now_us() - input_seen_us_ >= kInputLook_us) {
             input_seen_us_ = surface_.now_us();
+            const std::string& database = options_.config.collection.database;
+            memory_mb_ = resident_mb();
+            free_disk_gb_ = free_disk_gb(database.empty() ? "." : database);
             shell_.set_no_input(pens_.tablets().empty() ? surface_.no_input_code() : "", surface_.now_us());
         }
         shell_.set_collection(status.state, {status.done, status.total, status.minutes_left}, surface_.now_us());
@@ -332,10 +339,15 @@ class Loop {
             draw_frame();
             frame_due_ = false;
         }
-        surface_.next_frame(drawn, [this, drawn] {
+        const std::function<void()> look = [this] {
+            point();
+            find_.search_news();
+        };
+        const auto meanwhile = [this, drawn] {
             note_shown(drawn);
             shell_.use_spare_time();
-        });
+        };
+        surface_.next_frame(drawn, meanwhile, find_.sketch().open() ? look : std::function<void()>());
     }
 
     void shoot_garment(const std::string& name, int percent) {
@@ -451,7 +463,7 @@ class Loop {
     std::array<double, 200> to_screen_ms_{};
     std::size_t to_screen_count_ = 0;
     std::int64_t start_us_ = 0, day_start_us_ = 0;
-    double worst_today_ms_ = 0;
+    double worst_today_ms_ = 0, memory_mb_ = 0, free_disk_gb_ = 0;
     std::uint64_t searches_before_ = 0;
     std::size_t next_mark_ = 0;
     std::vector<std::vector<std::int64_t>> early_;
@@ -517,6 +529,8 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost&
     FindOptions find_options;
     find_options.language = static_cast<std::size_t>(language - languages->begin());
     find_options.hand = options.hand;
+    find_options.shadow = options.config.visitors.shadow;
+    ui::palette::choose_parts(part_palette_of(options.config));
     find_options.every_frame_seen = !options.headless;
     find_options.search_while_drawing = !options.headless;
     find_options.spare_time = true;

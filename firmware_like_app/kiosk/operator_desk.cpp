@@ -28,6 +28,8 @@ constexpr int kStep_s = 5;
 constexpr int kMostLookedAt = 20'000;  // files, when models are counted in a folder
 
 const std::array<const char*, 3> kCurves{"soft", "normal", "firm"};
+const std::array<const char*, 4> kTurns{"none", "right", "half", "left"};
+const std::array<const char*, 2> kColours{"soft", "strong"};
 struct IdleTime {
     const char* key;
     double least, most;
@@ -41,6 +43,11 @@ double& idle_of(Config& config, std::size_t which) {
     const std::array<double*, ui::kIdleTimeCount> all{&config.idle.ask_s, &config.idle.countdown_s,
                                                       &config.idle.empty_s, &config.idle.ask_garment_s};
     return *all[which];
+}
+
+template <std::size_t N>
+std::size_t place_in(const std::array<const char*, N>& names, const std::string& name) {
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 std::int64_t count_models(const fs::path& folder) {
@@ -229,8 +236,6 @@ void OperatorDesk::update(std::int64_t now_us) {
         per_minute_ = static_cast<double>(status.done - import_began_->done) * 60e6 /
                       static_cast<double>(now_us - import_began_->at_us);
     }
-    memory_mb_ = resident_mb();
-    disk_gb_ = free_disk_gb(setup_.config.collection.database.empty() ? "." : setup_.config.collection.database);
 }
 
 void OperatorDesk::act(std::size_t item) {
@@ -290,6 +295,16 @@ void OperatorDesk::act(std::size_t item) {
             break;
         case StationAction::Garment:
             change("visitors.garment", index == 0 ? "false" : "true");
+            break;
+        case StationAction::Shadow:
+            change("visitors.shadow", index == 0 ? "false" : "true");
+            break;
+        case StationAction::Colours:
+            change("visitors.part_colours", kColours[std::min<std::size_t>(index, 1)]);
+            break;
+        case StationAction::Turn:
+            change("tablet.align", "[]");  // it was found the way the tablet lay before
+            change("tablet.turn", kTurns[std::min<std::size_t>(index, 3)]);
             break;
         case StationAction::SelfTest:
             run_self_test();
@@ -458,8 +473,8 @@ ui::StationState OperatorDesk::state(std::size_t language, std::int64_t now_us) 
     s.align_message = align_words(words);
     if (aligning_)
         s.align = ui::StationState::Align{aligning_->hits.size(), kCrossCount, cross_at(aligning_->hits.size())};
-    s.curve =
-        static_cast<std::size_t>(std::find(kCurves.begin(), kCurves.end(), config.tablet.pressure) - kCurves.begin());
+    s.curve = place_in(kCurves, config.tablet.pressure);
+    s.turn = place_in(kTurns, config.tablet.turn);
     if (setup_.collection != nullptr) {
         const CollectionStatus status = setup_.collection->status();
         s.models = status.models;
@@ -485,11 +500,13 @@ ui::StationState OperatorDesk::state(std::size_t language, std::int64_t now_us) 
     }
     s.start_left = config.visitors.hand == "left";
     s.garment = config.visitors.garment;
+    s.shadow = config.visitors.shadow;
+    s.colours = place_in(kColours, config.visitors.part_colours);
     s.running_s = facts_.running_s;
     s.worst_frame_ms = facts_.worst_frame_ms;
     if (s.tablet_there) s.pen_live = !facts_.pen_asleep;
-    s.memory_mb = memory_mb_;
-    s.free_disk_gb = disk_gb_;
+    s.memory_mb = facts_.memory_mb;
+    s.free_disk_gb = facts_.free_disk_gb;
     if (message_ == Message::Tested) {
         s.health_message =
             message_value_ == "0" ? words["all_well"] : ui::filled_in(words["not_well"], {{"n", message_value_}});

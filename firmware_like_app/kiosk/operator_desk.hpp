@@ -24,6 +24,7 @@ struct StationFacts {
     bool pen_asleep = false;
     std::optional<double> pen_to_screen_ms;  ///< of the last reports, median
     std::vector<std::string> problems;       ///< with tablets, in sentences
+    double memory_mb = 0, free_disk_gb = 0;
 };
 
 class OperatorDesk {
@@ -109,7 +110,6 @@ class OperatorDesk {
     };
     std::optional<Progress> import_began_;
     std::optional<double> per_minute_;
-    double memory_mb_ = 0, disk_gb_ = 0;
     std::int64_t looked_us_ = 0;
 };
 

@@ -50,4 +50,8 @@ ui::Hand hand_of(const Config& config) {
     return config.visitors.hand == "left" ? ui::Hand::Left : ui::Hand::Right;
 }
 
+ui::palette::PartPalette part_palette_of(const Config& config) {
+    return config.visitors.part_colours == "strong" ? ui::palette::PartPalette::Strong : ui::palette::PartPalette::Soft;
+}
+
 }  // namespace app

@@ -4,6 +4,7 @@
 #include "firmware_like_app/config/config.hpp"
 #include "firmware_like_app/kiosk/station.hpp"
 #include "input/pipeline/options.hpp"
+#include "ui/draw/palette.hpp"
 #include "ui/screens/find_layout.hpp"
 
 namespace app {
@@ -13,5 +14,6 @@ namespace app {
 [[nodiscard]] input::PressureOptions pressure_of(const Config& config);
 [[nodiscard]] input::PipelineOptions pens_of(const Config& config);
 [[nodiscard]] ui::Hand hand_of(const Config& config);
+[[nodiscard]] ui::palette::PartPalette part_palette_of(const Config& config);
 
 }  // namespace app

@@ -119,6 +119,12 @@ void Shell::take_settings(const Config& config) {
     options_.hand = hand_of(config);
     options_.garment_offered = config.visitors.garment;
     find_.offer_garment(garment_offered());
+    find_.show_shadow(config.visitors.shadow);
+    if (part_palette_of(config) != ui::palette::chosen_parts()) {
+        ui::palette::choose_parts(part_palette_of(config));
+        find_.recolour();
+        detail_.recolour();
+    }
     for (std::size_t i = 0; i < languages_.size(); ++i) {
         if (languages_[i].code() == config.visitors.language) options_.language = i;
     }

@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-constexpr std::int64_t kFrame_us = 1'000'000 / 60;
+constexpr std::int64_t kFrame_us = 1'000'000 / 60, kLook_us = 2'000;
 
 /// Frames are drawn into a picture that stays and is copied to the window whole: what a window's own buffers hold after
 /// they were shown is not known everywhere.
@@ -32,15 +32,19 @@ class WindowSurface final : public Surface {
         return true;
     }
     bool kept() const override { return kept_; }
-    void next_frame(bool drawn, const std::function<void()>& meanwhile) override {
+    void next_frame(bool drawn, const std::function<void()>& meanwhile, const std::function<void()>& look) override {
         if (drawn) {
             target_.copy_to_window();
             window_->present();
         }
         meanwhile();
         // some drivers do not wait for the screen: do not run faster than it
-        const std::int64_t rest = last_us_ + kFrame_us - 1500 - now_us();
-        if (rest > 0) std::this_thread::sleep_for(std::chrono::microseconds(std::min(rest, kFrame_us)));
+        const std::int64_t due_us = std::min(last_us_ + kFrame_us - 1500, now_us() + kFrame_us);
+        for (std::int64_t rest = due_us - now_us(); rest > 0; rest = due_us - now_us()) {
+            const bool looks = look && rest > kLook_us;
+            std::this_thread::sleep_for(std::chrono::microseconds(looks ? kLook_us : rest));
+            if (looks) look();
+        }
         last_us_ = now_us();
     }
     core::RgbaImage read_back() override {
@@ -75,7 +79,8 @@ class HeadlessSurface final : public Surface {
         return false;
     }
     bool kept() const override { return kept_; }
-    void next_frame(bool /*drawn*/, const std::function<void()>& meanwhile) override {
+    void next_frame(bool /*drawn*/, const std::function<void()>& meanwhile,
+                    const std::function<void()>& /*look*/) override {
         meanwhile();
         now_us_ += kFrame_us;
     }

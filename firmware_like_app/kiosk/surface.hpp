@@ -28,8 +28,9 @@ class Surface {
     virtual bool bind() = 0;
     /// After bind(): whether what was drawn the last time is still there, so that only changes need be drawn.
     [[nodiscard]] virtual bool kept() const = 0;
-    /// Shows the frame (when one was drawn), calls `meanwhile`, and goes on to the next frame when it is due.
-    virtual void next_frame(bool drawn, const std::function<void()>& meanwhile) = 0;
+    /// Shows the frame (when one was drawn), calls `meanwhile`, and goes on to the next frame when it is due. Where it
+    /// waits for that and not for the screen, it calls `look`, if there is one, every 2 ms.
+    virtual void next_frame(bool drawn, const std::function<void()>& meanwhile, const std::function<void()>& look) = 0;
     /// What was drawn since bind().
     [[nodiscard]] virtual core::RgbaImage read_back() = 0;
 };

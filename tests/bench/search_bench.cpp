@@ -5,8 +5,8 @@
 // DRAWINGS is a folder of Quick-Draw files or a list (lines `path<TAB>class`), of which COUNT (60) are chosen by SEED.
 // Each is described and its BEST (10) nearest models of INDEX are looked for on JOBS threads (2), three times, of which
 // the least counts. Prints median, 95th and 99th percentile and the most, in processor time of all threads, which is
-// nearly the same whoever else uses the machine, and in real time, which is not. 60 drawings take about 15 s; how far
-// it has come stands on the error output.
+// nearly the same whoever else uses the machine, and in real time, which is not; and which drawings took the most. 60
+// drawings take about 15 s; how far it has come stands on the error output.
 
 #include <algorithm>
 #include <cstdio>
@@ -58,6 +58,21 @@ void print(const char* what, std::vector<double> ms) {
                 ms.back());
 }
 
+struct Taken {
+    double ms = 0.0;  ///< of processor
+    std::string path;
+    std::size_t readings = 0, parts = 0;  ///< of all readings
+};
+
+void print_slowest(std::vector<Taken> all) {
+    constexpr std::size_t kShown = 3;
+    std::stable_sort(all.begin(), all.end(), [](const Taken& a, const Taken& b) { return a.ms > b.ms; });
+    all.resize(std::min(all.size(), kShown));
+    for (const Taken& t : all) {
+        std::printf("%6.1f ms: %zu readings with %zu parts, %s\n", t.ms, t.readings, t.parts, t.path.c_str());
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -73,6 +88,7 @@ int main(int argc, char** argv) {
     const std::vector<std::string> paths =
         drawings_of(argv[2], static_cast<std::size_t>(number(3, 60)), static_cast<unsigned>(number(6, 1)));
     std::vector<double> cpu, real;
+    std::vector<Taken> taken;
     for (std::size_t k = 0; k < paths.size(); ++k) {
         if (k % 10 == 0) std::fprintf(stderr, "drawing %zu of %zu\n", k, paths.size());
         const auto drawing = app::describe_file_readings(paths[k]);
@@ -88,6 +104,10 @@ int main(int argc, char** argv) {
         }
         real.push_back(least_real);
         cpu.push_back(least_cpu);
+        taken.push_back({least_cpu, paths[k], drawing->size(), 0});
+        for (const app::SketchDescription& reading : *drawing) {
+            taken.back().parts += reading.shape.descriptor.parts.size();
+        }
     }
     if (cpu.empty()) {
         std::fprintf(stderr, "search_bench: none of the drawings can be read\n");
@@ -97,5 +117,6 @@ int main(int argc, char** argv) {
                 jobs);
     print("processor", cpu);
     print("real", real);
+    print_slowest(std::move(taken));
     return 0;
 }

@@ -1,6 +1,8 @@
 #include "tests/support/garment_hand.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "core/garment/wardrobe.hpp"
@@ -75,6 +77,16 @@ void GarmentHand::draw(const std::vector<core::Point>& through_cm, bool lift) {
     kiosk_.wait(0.05);
 }
 
+void GarmentHand::draw_sampled(const std::vector<core::Point>& at_cm) {
+    core::Point at;
+    for (std::size_t i = 0; i < at_cm.size(); ++i) {
+        at = px(at_cm[i]);
+        kiosk_.event(i == 0 ? Kind::Down : Kind::Move, at.x, at.y);
+    }
+    kiosk_.event(Kind::Up, at.x, at.y);
+    kiosk_.wait(0.05);
+}
+
 void GarmentHand::tap(core::Point at_cm) {
     const core::Point at = px(at_cm);
     kiosk_.tap(at.x, at.y);
@@ -90,12 +102,58 @@ void GarmentHand::slide(const ui::Rect& slider, double share, bool lift) {
     kiosk_.wait(0.05);
 }
 
-void GarmentHand::offset(double cm) {
-    for (int i = 0; i < 200; ++i) {
-        const double now = kiosk_.garment->state(kiosk_.now_us).offset_cm;
-        if (std::abs(now - cm) < 0.05) return;
-        press(now < cm ? ui::GarmentAction::More : ui::GarmentAction::Less);
+void GarmentHand::number(double cm) {
+    const ui::Rect& stepper = kiosk_.garment->layout().stepper;
+    const double scale = kiosk_.garment->layout().scale;
+    for (int i = 0; i < 100; ++i) {
+        const std::optional<double> now = kiosk_.garment->state(kiosk_.now_us).stepper.cm;
+        if (now && std::abs(*now - cm) < 0.05) return;
+        const double off = now ? cm - *now : 0.1;
+        if (std::abs(off) < 0.55) {
+            press(off > 0 ? ui::GarmentAction::More : ui::GarmentAction::Less);
+            continue;
+        }
+        // the drag grows with the square of its length (GarmentStepper::drag)
+        const double px = (std::sqrt(0.0125 * 0.0125 + 4 * 0.0004 * std::abs(off)) - 0.0125) / (2 * 0.0004) * scale;
+        const double x = stepper.centre_x(), y = stepper.centre_y();
+        kiosk_.event(Kind::Down, x, y);
+        for (int k = 1; k <= 4; ++k) kiosk_.event(Kind::Move, x + std::copysign(px * k / 4, off), y);
+        kiosk_.event(Kind::Up, x + std::copysign(px, off), y);
+        kiosk_.wait(0.02);
     }
+    throw std::runtime_error("the stepper does not reach that number");
+}
+
+void GarmentHand::wheel(double doublings, core::Point at_px, core::Point shift_px) {
+    kiosk_.event(Kind::Move, at_px.x, at_px.y);
+    ui::WindowEvent event;
+    event.kind = Kind::Zoom;
+    event.x = event.y = -1;
+    event.zoom = doublings;
+    event.shift_x = shift_px.x;
+    event.shift_y = shift_px.y;
+    event.time_us = kiosk_.now_us;
+    kiosk_.shell->pointer(event);
+    kiosk_.wait(0.02);
+}
+
+void GarmentHand::zoom(double times, core::Point at_cm) {
+    const ui::Rect& figure = kiosk_.garment->layout().figure;
+    const core::Point middle{figure.centre_x(), figure.centre_y()};
+    if (zoomed_ != 1) wheel(-std::log2(zoomed_), middle, {});
+    zoomed_ = times;
+    if (times == 1) return;
+    wheel(std::log2(times), middle, {});
+    wheel(0, middle, middle - px(at_cm));
+}
+
+core::Point GarmentHand::room_cm() const {
+    const ui::GarmentLayout& layout = kiosk_.garment->layout();
+    const double x = layout.figure.centre_x(), y = layout.figure.centre_y();
+    const double half_x = std::min(x - layout.sheet.x, layout.sheet.right() - x);
+    const double half_y = std::min(y - layout.sheet.y, layout.sheet.bottom() - y);
+    const double margin = 40, scale = kiosk_.garment->views().camera().scale_px;
+    return {(half_x - margin) / scale, (half_y - margin) / scale};
 }
 
 core::Point GarmentHand::seen(core::Vec3 place) const {

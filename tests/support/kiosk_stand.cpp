@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "firmware_like_app/kiosk/placing.hpp"
+#include "firmware_like_app/kiosk/settings.hpp"
 
 namespace test {
 namespace {
@@ -16,26 +17,37 @@ T value_of(core::Result<T> result) {
 
 }  // namespace
 
-KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOptions find_options,
-                       const std::filesystem::path& record, app::GarmentOptions garment_options)
-    : context_(value_of(ui::make_headless_context())),
-      fonts_(std::make_unique<ui::FontSet>(value_of(ui::FontSet::load()))),
+StandBase::StandBase()
+    : context(value_of(ui::make_headless_context())),
+      fonts(value_of(ui::FontSet::load())),
       languages(value_of(ui::Strings::load_all())),
-      figures(make_animals()),
-      collection(&figures),
+      figures(make_animals()) {
+    for (const char* name : {"box", "glyph", "picture", "ink", "model", "soft", "figure"}) {
+        shaders.push_back(value_of(ui::Program::load(name)));
+    }
+}
+
+KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOptions find_options,
+                       const std::filesystem::path& record, std::shared_ptr<StandBase> base,
+                       app::GarmentOptions garment_options)
+    : base_(base ? std::move(base) : std::make_shared<StandBase>()),
+      languages(base_->languages),
+      collection(&base_->figures),
       size(wanted) {
+    ui::palette::choose_parts(app::part_palette_of(options.station.config));
+    find_options.shadow = options.station.config.visitors.shadow;
     options.every_frame_seen = false;
     if (options.station.collection == nullptr) options.station.collection = &collection;
     find_options.language = options.language;
     find_options.hand = options.hand;
-    find = value_of(app::FindMode::create(*fonts_, languages, &collection.searcher(), find_options, size));
+    find = value_of(app::FindMode::create(base_->fonts, languages, &collection.searcher(), find_options, size));
     garment_options.language = options.language;
     garment_options.hand = options.hand;
     garment_options.every_frame_seen = false;
     garment_options.record = record;
-    garment = value_of(app::GarmentMode::create(*fonts_, languages, garment_options, size));
+    garment = value_of(app::GarmentMode::create(base_->fonts, languages, garment_options, size));
     options.garment = garment.get();
-    shell = value_of(app::Shell::create(*fonts_, languages, *find, &collection.searcher(), options, size, now_us));
+    shell = value_of(app::Shell::create(base_->fonts, languages, *find, &collection.searcher(), options, size, now_us));
 }
 
 void KioskStand::wait(double seconds) {
@@ -62,27 +74,32 @@ void KioskStand::stroke(double x0, double y0, double x1, double y1) {
     event(ui::WindowEvent::Kind::Up, x1, y1);
 }
 
-void KioskStand::draw_horse() {
+void KioskStand::draw_horse(double share) {
     const core::Drawing horse = make_horse_drawing();
     const ui::Rect sheet = find->layout().sheet;
     const ui::InkFrame frame = app::fit_drawing(horse, sheet.width, sheet.height, 0.14);
+    std::size_t all = 0, drawn = 0;
+    for (const core::Stroke& stroke : horse.strokes) all += stroke.samples.size();
+    const auto wanted = static_cast<std::size_t>(share * static_cast<double>(all));
     for (const core::Stroke& stroke : horse.strokes) {
         bool first = true;
         core::Point p;
         for (const core::PenSample& s : stroke.samples) {
+            if (drawn++ >= wanted) break;
             p = frame.to_px({s.x, s.y}) + core::Point{sheet.x, sheet.y};
             event(first ? ui::WindowEvent::Kind::Down : ui::WindowEvent::Kind::Move, p.x, p.y);
             first = false;
         }
+        if (drawn > wanted) break;
         event(ui::WindowEvent::Kind::Up, p.x, p.y);
     }
     find->search_and_wait();
-    find->settle(true);
+    find->settle(drawn == all);
     shell->update_ink();
 }
 
 void KioskStand::type(const std::string& digits) {
-    const ui::PinScreen screen(*fonts_, languages);
+    const ui::PinScreen screen(base_->fonts, languages);
     for (const char digit : digits) {
         for (const ui::BoardTouch::Target& target : screen.targets({}, size)) {
             if (target.control != ui::Control::Digit || target.item != static_cast<std::size_t>(digit - '0')) continue;

@@ -12,12 +12,26 @@
 
 namespace test {
 
+/// What stands may share, one after the other: a context with its shaders, fonts, words, and the animals. Making them
+/// is most of what a stand costs.
+struct StandBase {
+    /// Throws std::runtime_error with the sentence of what is missing.
+    StandBase();
+    std::unique_ptr<ui::Context> context;
+    std::vector<ui::Program> shaders;  // kept built
+    ui::FontSet fonts;
+    std::vector<ui::Strings> languages;
+    FigureSearcher figures;
+};
+
 class KioskStand {
   public:
     /// A small collection of built animals. Throws std::runtime_error with the sentence of what is missing.
-    /// `record`: a folder for what is drawn in Garment. Of `garment` what this stand does not set itself counts.
+    /// `record`: a folder for what is drawn in Garment. `base`: of earlier stands; one of its own without. Of `garment`
+    /// what this stand does not set itself counts.
     explicit KioskStand(ui::SizePx size, app::ShellOptions options = {}, app::FindOptions find_options = {},
-                        const std::filesystem::path& record = {}, app::GarmentOptions garment = {});
+                        const std::filesystem::path& record = {}, std::shared_ptr<StandBase> base = nullptr,
+                        app::GarmentOptions garment = {});
 
     /// Frames of 1/60 s until that time is over; of 1/10 s where it is longer than five seconds.
     void wait(double seconds);
@@ -27,22 +41,21 @@ class KioskStand {
     /// A drag across the screen, 12 samples.
     void stroke(double x0, double y0, double x1, double y1);
     /// The horse of make_horse_drawing() drawn with the pointer into the middle of the sheet; its answer is waited for.
-    void draw_horse();
+    /// With a share, only that much of its samples: the pen is still down then.
+    void draw_horse(double share = 1);
     /// Digits on the PIN page.
     void type(const std::string& digits);
     /// A tap on the station page.
     void press_station(ui::StationAction action, std::size_t index = 0);
     [[nodiscard]] core::RgbaImage picture();
-    [[nodiscard]] const ui::FontSet& fonts() const { return *fonts_; }
+    [[nodiscard]] const ui::FontSet& fonts() const { return base_->fonts; }
     [[nodiscard]] app::Scene scene() const { return shell->station().scene(); }
 
   private:
-    std::unique_ptr<ui::Context> context_;
-    std::unique_ptr<ui::FontSet> fonts_;
+    std::shared_ptr<StandBase> base_;
 
   public:
-    std::vector<ui::Strings> languages;
-    FigureSearcher figures;
+    const std::vector<ui::Strings>& languages;
     app::FixedCollection collection;
     std::unique_ptr<app::FindMode> find;
     std::unique_ptr<app::GarmentMode> garment;

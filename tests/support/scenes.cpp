@@ -11,6 +11,14 @@ app::ShellOptions with(CollectionState state) {
     return options;
 }
 
+/// Strong colours of parts, no shadow.
+app::ShellOptions strong_and_plain() {
+    app::ShellOptions options;
+    options.station.config.visitors.part_colours = "strong";
+    options.station.config.visitors.shadow = false;
+    return options;
+}
+
 app::ShellOptions in_language(std::size_t language) {
     app::ShellOptions options;
     options.language = language;
@@ -25,6 +33,12 @@ void to_sheet(KioskStand& kiosk) {
 void to_drawing(KioskStand& kiosk) {
     to_sheet(kiosk);
     kiosk.draw_horse();
+}
+
+/// So much of the ink is there, the pen is down.
+void to_share(KioskStand& kiosk, double share) {
+    to_sheet(kiosk);
+    kiosk.draw_horse(share);
 }
 
 /// Holds the corner.
@@ -47,6 +61,23 @@ app::CollectionStatus adding() {
     return status;
 }
 
+/// What a station could tell of itself, the same in every picture.
+app::StationFacts steady_facts() {
+    app::StationFacts facts;
+    facts.running_s = (12 * 24 + 4) * 3600;
+    facts.worst_frame_ms = 17.1;
+    facts.memory_mb = 214;
+    facts.free_disk_gb = 41;
+    return facts;
+}
+
+void to_station(KioskStand& kiosk) {
+    to_pin(kiosk);
+    kiosk.shell->set_facts(steady_facts());
+    kiosk.type("000000");
+    kiosk.wait(0.1);
+}
+
 void nothing(KioskStand& kiosk) {
     kiosk.wait(0.05);
 }
@@ -63,7 +94,11 @@ std::vector<NamedScene> make_scenes() {
         {"attract-form", {}, [](KioskStand& k) { k.wait(5.0); }},
         {"attract-formed-fr", in_language(1), [](KioskStand& k) { k.wait(7.0); }},
         {"sheet-empty", {}, to_sheet},
+        {"drawing-25", {}, [](KioskStand& k) { to_share(k, 0.25); }},
+        {"drawing-50", {}, [](KioskStand& k) { to_share(k, 0.5); }},
+        {"drawing-75", {}, [](KioskStand& k) { to_share(k, 0.75); }},
         {"drawing", {}, to_drawing},
+        {"drawing-strong-plain", strong_and_plain(), to_drawing},
         {"drawing-left-de",
          [&] {
              auto o = left;
@@ -71,6 +106,13 @@ std::vector<NamedScene> make_scenes() {
              return o;
          }(),
          to_drawing},
+        {"detail-opening",
+         {},
+         [](KioskStand& k) {
+             to_drawing(k);
+             k.tap(k.find->layout().cards[0]);
+             k.wait(0.1);
+         }},
         {"detail",
          {},
          [](KioskStand& k) {
@@ -98,28 +140,18 @@ std::vector<NamedScene> make_scenes() {
              to_pin(k);
              for (int i = 0; i < 3; ++i) k.type("135791");
          }},
-        {"station",
-         {},
-         [](KioskStand& k) {
-             to_pin(k);
-             k.type("000000");
-             k.wait(0.1);
-         }},
+        {"station", {}, to_station},
         {"station-adding-de", in_language(2),
          [](KioskStand& k) {
-             to_pin(k);
              k.collection.set_status(adding());
-             k.type("000000");
-             k.wait(0.1);
+             to_station(k);
          }},
         {"station-align-de", in_language(2),
          [](KioskStand& k) {
-             to_pin(k);
-             app::StationFacts facts;
-             facts.tablets = {"Huion Kamvas Pro 16"};
-             k.shell->set_facts(facts);
-             k.type("000000");
-             k.wait(0.1);
+             to_station(k);
+             app::StationFacts with_tablet = steady_facts();
+             with_tablet.tablets = {"Huion Kamvas Pro 16"};
+             k.shell->set_facts(with_tablet);
              k.press_station(ui::StationAction::Align);
              k.wait(0.1);
          }},
@@ -171,8 +203,7 @@ std::vector<NamedScene> make_scenes() {
 std::vector<NamedScene> all_scenes() {
     std::vector<NamedScene> scenes = make_scenes();
     for (NamedScene& scene : scenes) {
-        scene.large = scene.name == "attract-form" || scene.name == "drawing" || scene.name == "detail" ||
-                      scene.name == "station";
+        scene.large = !scene.name.ends_with("-fr") && !scene.name.ends_with("-de");
     }
     for (NamedScene& scene : garment_scenes()) scenes.push_back(std::move(scene));
     return scenes;
@@ -182,13 +213,15 @@ std::vector<ui::SizePx> all_sizes() {
     return {{1920, 1080}, {1280, 800}, {3840, 2160}, {1080, 1920}};
 }
 
-std::unique_ptr<KioskStand> stand_for(const NamedScene& scene, ui::SizePx size) {
+std::unique_ptr<KioskStand> stand_for(const NamedScene& scene, ui::SizePx size, std::shared_ptr<StandBase> base) {
     return std::make_unique<KioskStand>(size, scene.options, app::FindOptions{}, std::filesystem::path{},
+                                        std::move(base),
                                         scene.garment_options ? scene.garment_options() : app::GarmentOptions{});
 }
 
-std::vector<core::RgbaImage> pictures_of(const NamedScene& scene, ui::SizePx size) {
-    const std::unique_ptr<KioskStand> kiosk = stand_for(scene, size);
+std::vector<core::RgbaImage> pictures_of(const NamedScene& scene, ui::SizePx size,
+                                         const std::shared_ptr<StandBase>& base) {
+    const std::unique_ptr<KioskStand> kiosk = stand_for(scene, size, base);
     scene.go(*kiosk);
     std::vector<core::RgbaImage> pictures;
     if (!scene.step) {

@@ -27,9 +27,11 @@ struct NamedScene {
 /// Those of Garment, which are among them too.
 [[nodiscard]] std::vector<NamedScene> garment_scenes();
 /// A stand at the beginning of a scene.
-[[nodiscard]] std::unique_ptr<KioskStand> stand_for(const NamedScene& scene, ui::SizePx size);
+[[nodiscard]] std::unique_ptr<KioskStand> stand_for(const NamedScene& scene, ui::SizePx size,
+                                                    std::shared_ptr<StandBase> base = nullptr);
 /// All pictures of a scene.
-[[nodiscard]] std::vector<core::RgbaImage> pictures_of(const NamedScene& scene, ui::SizePx size);
+[[nodiscard]] std::vector<core::RgbaImage> pictures_of(const NamedScene& scene, ui::SizePx size,
+                                                       const std::shared_ptr<StandBase>& base = nullptr);
 [[nodiscard]] bool is_kept_at(const NamedScene& scene, ui::SizePx size);
 /// 1920 × 1080, 1280 × 800, 3840 × 2160, 1080 × 1920.
 [[nodiscard]] std::vector<ui::SizePx> all_sizes();

@@ -27,13 +27,14 @@ int main(int argc, char** argv) {
         }
     }
     std::filesystem::create_directories(folder);
+    const auto base = std::make_shared<test::StandBase>();
     for (const test::NamedScene& scene : test::all_scenes()) {
         if (!only.empty() && scene.name.find(only) == std::string::npos) continue;
         for (const ui::SizePx size : sizes) {
             if (all && scene.garment && !test::is_kept_at(scene, size)) continue;
             const std::string at = "-" + std::to_string(size.width) + "x" + std::to_string(size.height);
             int number = 0;
-            for (const core::RgbaImage& picture : test::pictures_of(scene, size)) {
+            for (const core::RgbaImage& picture : test::pictures_of(scene, size, base)) {
                 const std::string step = scene.step ? "-" + std::to_string(++number) : "";
                 const std::filesystem::path file = folder / (scene.name + step + at + ".png");
                 if (!core::write_png(file, picture)) return 1;

@@ -167,7 +167,10 @@ void print_spared(const std::vector<Shape>& shapes, const Matrix& brute) {
             if (j != q) all.emplace_back(brute[q * n + j], j);
         }
         std::sort(all.begin(), all.end());
-        for (std::size_t k = 0; k < best.size(); ++k) wrong += best[k].second == all[k].second ? 0 : 1;
+        // What differs by less than a float tells is a tie here.
+        for (std::size_t k = 0; k < best.size(); ++k) {
+            wrong += best[k].second == all[k].second || static_cast<float>(best[k].first) == all[k].first ? 0 : 1;
+        }
         for (const auto& [bound, j] : order) {
             above += static_cast<float>(bound) > brute[q * n + j] ? 1 : 0;
             tightness += bound / std::max(1e-9, static_cast<double>(brute[q * n + j]));

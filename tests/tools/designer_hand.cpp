@@ -5,8 +5,8 @@
 //                                 far each lies from the engine's worked design
 //     designer_hand check FOLDER  plays FOLDER/garment-*/input.trace; fails where another design than design.json comes
 //
-// The screen has no plane but through what a stroke starts at, and a pen cannot change its view in the middle of a
-// line: where a worked design does, the hand goes on with a new line at the end of the last.
+// A line that changes its view or its plane goes on from its end, as a tap there lets it. A cut drawn off the body is a
+// line across the piece, which parts it.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -34,83 +34,89 @@ V view_of(const core::DrawingView& view) {
     return V::Side;
 }
 
-/// Parts of a stroke that go on in one view with one tool as one; parts of a single point only where they are needed.
-std::vector<core::StrokePart> strokes_of(const core::SketchStroke& stroke, const core::Obstacle& body) {
+bool same_way(const core::StrokePart& a, const core::StrokePart& b) {
+    return a.view.toward == b.view.toward && a.tool.kind == b.tool.kind && a.tool.offset == b.tool.offset;
+}
+
+/// The parts of a stroke; those that go on in one view with one tool as one.
+std::vector<core::StrokePart> parts_of(const core::SketchStroke& stroke) {
     std::vector<core::StrokePart> out;
-    std::optional<core::Vec3> before;  // where a part of one point lies: the next begins there
-    for (std::size_t k = 0; k < stroke.size(); ++k) {
-        core::StrokePart part = stroke[k];
-        core::StrokeLifter lifter(body);
-        lifter.begin_part(part.view, part.tool);
-        for (const core::Point at : part.points) (void)lifter.add(at);
-        if (lifter.line().empty()) continue;
-        if (part.points.size() == 1 && stroke.size() > 1) {
-            if (out.empty())
-                before = lifter.line().front();
-            else
-                out.back().points.push_back(out.back().view.project(lifter.line().front()));
-            continue;
-        }
-        if (before) part.points.insert(part.points.begin(), part.view.project(*before));
-        before.reset();
-        const bool goes_on = !out.empty() && out.back().view.toward == part.view.toward &&
-                             out.back().tool.kind == part.tool.kind && out.back().tool.offset == part.tool.offset;
-        if (goes_on) {
-            out.back().points.insert(out.back().points.end(), part.points.begin() + 1, part.points.end());
-        } else {
-            if (!out.empty()) {  // the next begins where the last ended
-                core::StrokeLifter last(body);
-                last.begin_part(out.back().view, out.back().tool);
-                for (const core::Point at : out.back().points) (void)last.add(at);
-                if (!last.line().empty())
-                    part.points.insert(part.points.begin(), part.view.project(last.line().back()));
-            }
-            out.push_back(std::move(part));
-        }
+    for (const core::StrokePart& part : stroke) {
+        const bool goes_on = !out.empty() && same_way(out.back(), part) && part.points.size() > 1;
+        if (goes_on)
+            out.back().points.insert(out.back().points.end(), part.points.begin(), part.points.end());
+        else
+            out.push_back(part);
     }
     return out;
 }
 
-void draw_step(test::GarmentHand& hand, test::KioskStand& kiosk, const core::DesignStep& step) {
-    if (step.kind == Kind::Layer) {
-        hand.press(ui::GarmentAction::AddLayer);
-        return;
-    }
-    if (step.kind != Kind::Line && step.kind != Kind::Cut && step.kind != Kind::Hole) return;
-    const core::Obstacle& body = kiosk.garment->desk().state().obstacle();
-    for (const core::StrokePart& part : strokes_of(step.stroke, body)) {
-        const bool on_body = part.tool.kind == Tool::Body;
-        hand.view(view_of(part.view));
-        hand.tool(step.kind == Kind::Cut    ? T::Cut
-                  : step.kind == Kind::Hole ? T::Hole
-                  : on_body                 ? T::OnBody
-                                            : T::OnPlane);
-        if (on_body && step.kind == Kind::Line) hand.offset(part.tool.offset);
-        const std::size_t acts = kiosk.garment->desk().history().size();
-        hand.draw(part.points);
-        if (kiosk.garment->desk().history().size() == acts)
-            std::printf("  %s: nothing came of a stroke: %s\n", step.name.c_str(),
-                        kiosk.garment->state(kiosk.now_us).problem.c_str());
-    }
-}
+/// A designer's hand with a worked design before it.
+class Copyist {
+  public:
+    Copyist(test::GarmentHand& hand, test::KioskStand& kiosk) : hand_(hand), kiosk_(kiosk) {}
 
-/// Lines that lie in the plane of the front come first in each layer: what is drawn on the body then ends on them.
-std::vector<core::DesignStep> in_drawing_order(std::vector<core::DesignStep> steps) {
-    const auto layer_end = [&](auto from) {
-        return std::find_if(from, steps.end(), [](const core::DesignStep& s) { return s.kind == Kind::Layer; });
-    };
-    const auto in_plane = [](const core::DesignStep& step) {
-        return step.kind == Kind::Line &&
-               std::all_of(step.stroke.begin(), step.stroke.end(),
-                           [](const core::StrokePart& part) { return part.tool.kind == Tool::PlaneXY; });
-    };
-    for (auto first = steps.begin(); first != steps.end();) {
-        const auto end = layer_end(first);
-        std::stable_partition(first, end, in_plane);
-        first = end == steps.end() ? end : end + 1;
+    void draw(const core::DesignStep& step) {
+        if (step.kind == Kind::Layer) return hand_.press(ui::GarmentAction::AddLayer);
+        if (step.kind != Kind::Line && step.kind != Kind::Cut && step.kind != Kind::Hole) return;
+        const std::vector<core::StrokePart> parts = parts_of(step.stroke);
+        const std::size_t acts = desk().history().size();
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+            take_up(parts[k], step.kind == Kind::Hole);
+            if (k == 0 && parts[k].points.size() == 1)
+                begin_at(parts[k].points.front(), step.name);
+            else if (parts[k].points.size() == 1)
+                hand_.tap(parts[k].points.front());
+            else
+                hand_.draw_sampled(parts[k].points);
+            if (k == 0 && parts.size() > 1 && parts[k].points.size() > 1) begin_at(parts[k].points.back(), step.name);
+            hand_.zoom(1);
+        }
+        if (desk().goes_on()) kiosk_.tap(kiosk_.garment->layout().redo);  // Finish
+        if (desk().history().size() == acts) tell(step.name, "nothing came of it");
     }
-    return steps;
-}
+
+    /// On the page of the design as a whole.
+    void choose_quads(double cm) {
+        if (desk().network().options().edge_cm == cm) return;
+        hand_.press(ui::GarmentAction::Page, 2);
+        hand_.number(cm);
+    }
+
+  private:
+    [[nodiscard]] core::GarmentDesk& desk() { return kiosk_.garment->desk(); }
+
+    /// View, tool, number, and near to where there is much to see: as near as the part has room.
+    void take_up(const core::StrokePart& part, bool hole) {
+        hand_.view(view_of(part.view));
+        const bool on_body = part.tool.kind == Tool::Body;
+        hand_.tool(hole ? T::Hole : on_body ? T::OnBody : T::OnPlane);
+        if (!hole) hand_.number(part.tool.offset);
+        const auto [left, right] = std::minmax_element(part.points.begin(), part.points.end(),
+                                                       [](core::Point a, core::Point b) { return a.x < b.x; });
+        const auto [low, high] = std::minmax_element(part.points.begin(), part.points.end(),
+                                                     [](core::Point a, core::Point b) { return a.y < b.y; });
+        const core::Point middle = core::midpoint({left->x, low->y}, {right->x, high->y}), room = hand_.room_cm();
+        const double wide = std::max((right->x - left->x) / room.x, (high->y - low->y) / room.y) / 2;
+        for (const double times : {8.0, 4.0, 2.0}) {
+            if (wide * times > 1) continue;
+            hand_.zoom(times, middle);
+            break;
+        }
+    }
+
+    void begin_at(core::Point end, const std::string& name) {
+        hand_.tap(end);
+        if (!desk().goes_on()) tell(name, "no end to go on from");
+    }
+
+    void tell(const std::string& name, const char* what) {
+        std::printf("  %s: %s: %s\n", name.c_str(), what, kiosk_.garment->state(kiosk_.now_us).problem.c_str());
+    }
+
+    test::GarmentHand& hand_;
+    test::KioskStand& kiosk_;
+};
 
 int draw(const std::string& name, const std::filesystem::path& out) {
     const std::filesystem::path folder = out / ("garment-" + name);
@@ -123,7 +129,9 @@ int draw(const std::string& name, const std::filesystem::path& out) {
         test::KioskStand kiosk(kSize, {}, {}, folder);
         test::GarmentHand hand(kiosk);
         hand.enter();
-        for (const core::DesignStep& step : in_drawing_order(design.steps)) draw_step(hand, kiosk, step);
+        Copyist copyist(hand, kiosk);
+        copyist.choose_quads(design.network.edge_cm);
+        for (const core::DesignStep& step : design.steps) copyist.draw(step);
         drawn = kiosk.garment->design();
         kiosk.garment->wipe(0, ui::Hand::Right);  // the trace is closed
     }

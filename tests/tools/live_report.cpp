@@ -1,8 +1,10 @@
-// How soon the kiosk knows what a drawing looks like: recorded drawings in their own time, a batch of samples a frame
-// of 1/60 s, the newest batch searched as soon as the search before is done.
+// How soon the kiosk knows what a drawing looks like: recorded drawings in their own time, the samples that came since
+// the kiosk looked last are a batch, the newest batch searched as soon as the search before is done.
 //
-//     live_report INDEX FOLDER [COUNT [JOBS [EVERY [SEED]]]] [--quiet-cores N]
+//     live_report INDEX FOLDER [COUNT [JOBS [EVERY [SEED]]]] [--quiet-cores N] [--look-ms MS]
 //
+// The kiosk looks for samples every 2 ms; with --look-ms 16.7 only once a frame, as where a frame waits for the screen.
+
 // Time is that of the recording; a search takes as long as it takes here. So nothing waits for a hand, and every batch
 // is searched that the kiosk would search; with EVERY N only each Nth of them, the others taking as long as the one
 // before. With --quiet-cores N a search counts as long as it would take on N cores with nothing else to do: the
@@ -27,18 +29,18 @@
 
 namespace {
 
-constexpr double kFrame_ms = 1000.0 / 60;
+constexpr double kLook_ms = 2;            // as Surface::next_frame
 constexpr double kLongestLift_ms = 1500;  // as the kiosk's replays
 constexpr int kBest = 10;                 // as the kiosk
 
-/// Samples of one frame: how much of the drawing is there then.
+/// Samples of one look: how much of the drawing is there then.
 struct Batch {
-    double last_ms = 0;   ///< when its last sample was read
-    double frame_ms = 0;  ///< when the loop sees it
+    double last_ms = 0;  ///< when its last sample was read
+    double seen_ms = 0;  ///< when the loop sees it
     std::size_t strokes = 0, samples = 0;
 };
 
-std::vector<Batch> batches_of(const core::Drawing& drawing) {
+std::vector<Batch> batches_of(const core::Drawing& drawing, double look_ms) {
     std::vector<Batch> batches;
     double now = 0, before = 0;
     bool first = true;
@@ -49,9 +51,9 @@ std::vector<Batch> batches_of(const core::Drawing& drawing) {
             now += first ? 0 : std::clamp(at - before, 0.0, kLongestLift_ms);
             before = at;
             first = false;
-            const double frame = (std::floor(now / kFrame_ms) + 1) * kFrame_ms;
-            if (batches.empty() || batches.back().frame_ms != frame) batches.emplace_back();
-            batches.back() = {now, frame, i + 1, k + 1};
+            const double seen = (std::floor(now / look_ms) + 1) * look_ms;
+            if (batches.empty() || batches.back().seen_ms != seen) batches.emplace_back();
+            batches.back() = {now, seen, i + 1, k + 1};
         }
     }
     return batches;
@@ -72,8 +74,13 @@ double cpu_ms() {
 }
 
 struct Times {
-    std::vector<double> from_sample, from_frame, waited, silhouette, describe, search, whole;
+    std::vector<double> from_sample, from_seen, waited, silhouette, describe, search, whole;
     std::size_t batches = 0, searches = 0, measured = 0;
+};
+
+struct Settings {
+    int every = 1, quiet_cores = 0;
+    double look_ms = kLook_ms;
 };
 
 /// A search, and how long it took; with quiet cores its stages are scaled from the clock to processor time.
@@ -99,27 +106,27 @@ double search(app::SketchSearcher& searcher, const core::Drawing& drawing, bool 
     return took;
 }
 
-void draw(const core::Drawing& drawing, app::SketchSearcher& searcher, int every, int quiet_cores, Times& times) {
-    const std::vector<Batch> batches = batches_of(drawing);
+void draw(const core::Drawing& drawing, app::SketchSearcher& searcher, const Settings& settings, Times& times) {
+    const std::vector<Batch> batches = batches_of(drawing, settings.look_ms);
     times.batches += batches.size();
     double free_at = 0, took = 0;
     std::size_t next = 0;  // the first batch that no ranking knows
     for (int n = 0; next < batches.size(); ++n) {
         // the search takes the newest batch that is there when it is free
-        const double start = std::max(free_at, batches[next].frame_ms);
+        const double start = std::max(free_at, batches[next].seen_ms);
         std::size_t newest = next;
-        while (newest + 1 < batches.size() && batches[newest + 1].frame_ms <= start) ++newest;
+        while (newest + 1 < batches.size() && batches[newest + 1].seen_ms <= start) ++newest;
         ++times.searches;
-        if (n % every == 0) {
+        if (n % settings.every == 0) {
             const Batch& batch = batches[newest];
             const bool unfinished = batch.samples < drawing.strokes[batch.strokes - 1].samples.size();
-            took = search(searcher, part_of(drawing, batch), unfinished, quiet_cores, times);
+            took = search(searcher, part_of(drawing, batch), unfinished, settings.quiet_cores, times);
         }
         free_at = start + took;
         for (; next <= newest; ++next) {
             times.from_sample.push_back(free_at - batches[next].last_ms);
-            times.from_frame.push_back(free_at - batches[next].frame_ms);
-            times.waited.push_back(start - batches[next].frame_ms);
+            times.from_seen.push_back(free_at - batches[next].seen_ms);
+            times.waited.push_back(start - batches[next].seen_ms);
         }
     }
 }
@@ -137,13 +144,14 @@ void print(const char* what, std::vector<double>& ms) {
 
 int main(int argc, char** argv) {
     if (argc < 3) {
-        std::fprintf(stderr, "live_report INDEX FOLDER [COUNT [JOBS [EVERY [SEED]]]] [--quiet-cores N]\n");
+        std::fprintf(stderr,
+                     "live_report INDEX FOLDER [COUNT [JOBS [EVERY [SEED]]]] [--quiet-cores N] [--look-ms MS]\n");
         return 2;
     }
-    int quiet_cores = 0;
-    if (argc > 4 && std::string(argv[argc - 2]) == "--quiet-cores") {
-        quiet_cores = std::atoi(argv[argc - 1]);
-        argc -= 2;
+    Settings settings;
+    for (; argc > 4 && std::string(argv[argc - 2]).starts_with("--"); argc -= 2) {
+        if (std::string(argv[argc - 2]) == "--quiet-cores") settings.quiet_cores = std::atoi(argv[argc - 1]);
+        if (std::string(argv[argc - 2]) == "--look-ms") settings.look_ms = std::max(std::atof(argv[argc - 1]), 0.1);
     }
     const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
     auto searcher = app::SketchSearcher::open(argv[1], number(4, 2), kBest);
@@ -151,19 +159,20 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", searcher.error().sentence().c_str());
         return 1;
     }
+    settings.every = std::max(number(5, 1), 1);
     Times times;
     std::size_t drawings = 0;
     for (const std::string& spec : support::chosen_drawings(argv[2], static_cast<std::size_t>(number(3, 200)),
                                                             static_cast<unsigned>(number(6, 1)))) {
         const auto sketch = core::read_sketch(spec);
         if (!sketch || !sketch->drawing) continue;
-        draw(*sketch->drawing, **searcher, std::max(number(5, 1), 1), quiet_cores, times);
+        draw(*sketch->drawing, **searcher, settings, times);
         ++drawings;
     }
     std::printf("%zu drawings, %zu batches, %zu searches, %zu of them measured\n", drawings, times.batches,
                 times.searches, times.measured);
     print("last sample -> ranking", times.from_sample);
-    print("frame that read it -> ranking", times.from_frame);
+    print("seen by the kiosk -> ranking", times.from_seen);
     print("  waited for the search before", times.waited);
     print("  silhouette", times.silhouette);
     print("  description", times.describe);

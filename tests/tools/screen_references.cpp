@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,11 +81,13 @@ core::RgbaImage row_of(const std::vector<core::RgbaImage>& pictures) {
     return row;
 }
 
-core::RgbaImage sheet_of(const test::NamedScene& scene) {
+core::RgbaImage sheet_of(const test::NamedScene& scene, const std::shared_ptr<test::StandBase>& base) {
     std::vector<core::RgbaImage> pictures, rows;
     for (const ui::SizePx size : test::all_sizes()) {
         if (!test::is_kept_at(scene, size)) continue;
-        for (const core::RgbaImage& picture : test::pictures_of(scene, size)) pictures.push_back(smaller(picture));
+        for (const core::RgbaImage& picture : test::pictures_of(scene, size, base)) {
+            pictures.push_back(smaller(picture));
+        }
         if (!scene.step) continue;
         rows.push_back(row_of(pictures));
         pictures.clear();
@@ -145,9 +148,10 @@ int main(int argc, char** argv) {
     const std::string only = argc > 2 ? argv[2] : "";
     const bool update = std::getenv("UPDATE_GOLDEN") != nullptr;
     int differing = 0, compared = 0;
+    const auto base = std::make_shared<test::StandBase>();
     for (const test::NamedScene& scene : test::all_scenes()) {
         if (!only.empty() && scene.name != only) continue;
-        const core::RgbaImage sheet = sheet_of(scene);
+        const core::RgbaImage sheet = sheet_of(scene, base);
         const std::filesystem::path file = folder / (scene.name + ".png");
         if (update) {
             if (!core::write_png(file, sheet)) return 1;

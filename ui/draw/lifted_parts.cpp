@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMap = 256;
 constexpr double kFinest = 0.06;  // longest edge, units of the normalised frame
-constexpr std::size_t kMostTriangles = 30'000;
+constexpr std::size_t kMostTriangles = 18'000;
 constexpr double kBehind = 0.035;  // this much behind what is seen still counts as seen
 constexpr int kBlends = 2;
 constexpr double kInwards = 4.0 / kMap;  // plane units, two pixels
@@ -234,7 +234,7 @@ LiftedModel lift_parts(const ModelGeometry& geometry, const core::Camera& camera
         double longest = kFinest;
         do {
             triangles = cut_finely(coarse, longest);
-            longest *= 1.5;
+            longest *= 1.2;
         } while (triangles.size() > kMostTriangles && triangles.size() > coarse.size());
     }
     Welder welder;
@@ -283,7 +283,7 @@ void recolour(LiftedModel& model, std::optional<int> only) {
         float clay = 1;
         std::array<float, 3> sum{};
         for (int c = 0; c < palette::kPartCount; ++c) {
-            const Colour& part = palette::kParts[static_cast<std::size_t>(c)];
+            const Colour& part = palette::parts()[static_cast<std::size_t>(c)];
             float share =
                 palette::kPartShare * static_cast<float>(model.weights[v][static_cast<std::size_t>(c)]) / 255.0F;
             if (only && *only != c) share *= static_cast<float>(kOthersShare);

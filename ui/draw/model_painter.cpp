@@ -67,6 +67,13 @@ std::vector<float> shadow_quads(const CardModel& model, const Fit& fit, SizePx s
 
 }  // namespace
 
+PicturePlace picture_place(const CardModel& model, const ModelPictureOptions& options) {
+    const Fit fit = fit_box(model, options.size, options);
+    return {std::abs(fit.sx) * options.size.width / 2,
+            {(fit.ox + 1) / 2 * options.size.width, (fit.oy + 1) / 2 * options.size.height},
+            model.mirrored};
+}
+
 core::Result<ModelPainter> ModelPainter::create() {
     core::Result<LitModel> model = LitModel::create();
     if (!model) return core::unexpected(model.error());

@@ -16,6 +16,14 @@ struct ModelPictureOptions {
     double lean = 0;  ///< share of the picture's width by which free room at the sides may shift the model right
 };
 
+/// Where a picture of ModelPainter shows the image plane: pixels of `size`, y down.
+struct PicturePlace {
+    double scale_px = 1;    ///< pixels a unit of the plane
+    core::Point origin_px;  ///< where the plane's origin lies
+    bool mirrored = false;  ///< the plane's x runs to the left
+};
+[[nodiscard]] PicturePlace picture_place(const CardModel& model, const ModelPictureOptions& options);
+
 class ModelPainter {
   public:
     [[nodiscard]] static core::Result<ModelPainter> create();

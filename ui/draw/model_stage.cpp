@@ -140,13 +140,33 @@ Rect ModelStage::box_of(const StageView& view, const std::vector<float>& shadows
     return {left, top, right - left, bottom - top};
 }
 
-void ModelStage::draw(const StageView& view, SizePx size) {
-    if (target_.size() != size) {
-        target_ = Target(size, PixelFormat::Colour, Target::Depth::Multisampled);
-        fresh_ = true;
-    }
+void ModelStage::make_picture(SizePx size) {
+    if (target_.size() == size) return;
+    target_ = Target(size, PixelFormat::Colour, Target::Depth::Multisampled);
     target_.bind();
-    if (fresh_) clear(0, 0, 0, 0, true);
+    clear(0, 0, 0, 0, true);
+    target_.resolve();
+    fresh_ = true;
+}
+
+void ModelStage::warm_up() {
+    ModelGeometry triangle;
+    for (const float x : {-1.0F, 0.0F, 1.0F}) {
+        triangle.corners.insert(triangle.corners.end(), {x, 1 - std::abs(x), 0, 0, 0, 1, 1, 1, 1});
+    }
+    set_model(triangle, {{{0, 0, 0}, 0.5}});
+    StageView view;
+    view.scale_px = 16;
+    view.centre_px = {32, 32};
+    view.own_colours = true;
+    draw(view, {64, 64});
+    finish();
+    clear_model();
+}
+
+void ModelStage::draw(const StageView& view, SizePx size) {
+    make_picture(size);
+    target_.bind();
     const std::vector<float> shadow = shadows(view);
     const Rect box = box_of(view, shadow);
     const Rect whole{0, 0, size.width + 0.0, size.height + 0.0};

@@ -47,6 +47,10 @@ class ModelStage {
     /// What is drawn from now on. Uploads it.
     void set_model(const ModelGeometry& geometry, std::vector<GroundContact> contacts);
     void clear_model();
+    /// Makes the picture of that size, empty: half of what the first draw costs, at another time.
+    void make_picture(SizePx size);
+    /// Draws a small picture that nobody sees; see ModelPainter::warm_up.
+    void warm_up();
     /// The model with its shadow on a transparent ground, four samples a pixel. Cost: the model's triangles, and the
     /// pixels of its box now and before.
     void draw(const StageView& view, SizePx size);

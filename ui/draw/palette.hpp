@@ -29,19 +29,33 @@ inline constexpr Colour kSheet = Colour::hex(0xFFFDF8);
 inline constexpr Colour kBoard = Colour::hex(0xF4F0E7);
 inline constexpr Colour kWell = Colour::hex(0xEAE4D8);
 inline constexpr Colour kLine = Colour::hex(0xDDD5C6);
+inline constexpr Colour kShadow = Colour::hex(0xECE6DA);  ///< best match under the ink
 inline constexpr Colour kClay = Colour::hex(0xD8CFBF);
 inline constexpr Colour kEdge = Colour::hex(0x3C3022, 0.07F);   ///< elevation 1
 inline constexpr Colour kShade = Colour::hex(0x3C3022, 0.10F);  ///< elevation 2
 inline constexpr Colour kNone = {0, 0, 0, 0};
 
 inline constexpr int kPartCount = 8;
-/// In order of the part's size; further parts stay clay.
-inline constexpr std::array<Colour, kPartCount> kParts{
-    Colour::hex(0x75C4F1), Colour::hex(0x8E872C), Colour::hex(0x7B77CF), Colour::hex(0xC6908A),
-    Colour::hex(0x734541), Colour::hex(0x127C7D), Colour::hex(0x334A81), Colour::hex(0x9DCD36)};
-/// The colour of the number on the part's tag.
-inline constexpr std::array<Colour, kPartCount> kTagText{
-    kInk, kInk, kInk, kInk, Colour::hex(0xFFFFFF), Colour::hex(0xFFFFFF), Colour::hex(0xFFFFFF), kInk};
+/// Colours of parts, in order of the part's size; further parts stay clay. And of the number on each part's tag.
+struct PartColours {
+    std::array<Colour, kPartCount> parts;
+    std::array<Colour, kPartCount> tag_text;
+};
+/// Soft: the design's. Strong: for screens and projectors that show soft colours pale. In both any two differ by 20 and
+/// more after CIEDE2000, by 15 and more without red, green or blue cones, and none is near sanguine.
+enum class PartPalette { Soft, Strong };
+[[nodiscard]] const PartColours& part_colours(PartPalette palette);
+
+/// The one in use, from any thread. What was drawn in others before is drawn anew by whoever chooses.
+void choose_parts(PartPalette palette);
+[[nodiscard]] PartPalette chosen_parts();
+[[nodiscard]] inline const std::array<Colour, kPartCount>& parts() {
+    return part_colours(chosen_parts()).parts;
+}
+[[nodiscard]] inline const std::array<Colour, kPartCount>& tag_text() {
+    return part_colours(chosen_parts()).tag_text;
+}
+
 inline constexpr float kWashShare = 0.42F;  ///< part colour on the sketch
 inline constexpr float kPartShare = 0.76F;  ///< part colour on a model; the rest is clay
 inline constexpr float kOffShare = 0.34F;   ///< a control that takes no touch

@@ -89,7 +89,8 @@ core::RgbaImage bake_part_map(const std::vector<PartRegion>& parts, int size, do
             blur_lines(weight, size, size, size, 1, radius);
             blur_lines(weight, size, 1, size, size, radius);
         }
-        const Colour colour = label < palette::kPartCount ? palette::kParts[static_cast<std::size_t>(label)] : Colour{};
+        const Colour colour =
+            label < palette::kPartCount ? palette::parts()[static_cast<std::size_t>(label)] : Colour{};
         for (std::size_t i = 0; i < pixels; ++i) {
             all[i] += weight[i];
             if (label == kClayLabel) continue;

@@ -10,7 +10,7 @@ namespace ui {
 
 /// One part of a silhouette in the image plane, [-1, 1] both ways, y up.
 struct PartRegion {
-    int colour = -1;  ///< index into palette::kParts; -1: a part that stays clay
+    int colour = -1;  ///< index into palette::parts(); -1: a part that stays clay
     core::Polygon ring;
 };
 

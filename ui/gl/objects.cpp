@@ -1,9 +1,11 @@
 #include "ui/gl/objects.hpp"
 
+#include <EGL/egl.h>
 #include <GLES3/gl3.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <vector>
 
 #include "ui/gl/embedded.hpp"
@@ -49,7 +51,23 @@ unsigned new_sampled_buffer(GLenum format, SizePx size) {
 
 }  // namespace
 
+class Program::Linked {
+  public:
+    explicit Linked(unsigned name) : name_(name) {}
+    Linked(const Linked&) = delete;
+    Linked& operator=(const Linked&) = delete;
+    ~Linked() { glDeleteProgram(name_); }
+    [[nodiscard]] unsigned name() const { return name_; }
+
+  private:
+    unsigned name_;
+};
+
 core::Result<Program> Program::load(std::string_view name) {
+    // those in use, by context; contexts are current in one thread
+    static thread_local std::map<std::pair<void*, std::string>, std::weak_ptr<const Linked>> in_use;
+    std::weak_ptr<const Linked>& known = in_use[{eglGetCurrentContext(), std::string(name)}];
+    if (std::shared_ptr<const Linked> shared = known.lock()) return Program(std::move(shared));
     const core::Result<unsigned> vertex = compile(GL_VERTEX_SHADER, std::string(name) + ".vert");
     if (!vertex) return core::unexpected(vertex.error());
     const core::Result<unsigned> fragment = compile(GL_FRAGMENT_SHADER, std::string(name) + ".frag");
@@ -57,30 +75,29 @@ core::Result<Program> Program::load(std::string_view name) {
         glDeleteShader(*vertex);
         return core::unexpected(fragment.error());
     }
-    Program program(glCreateProgram());
-    glAttachShader(program.name_.get(), *vertex);
-    glAttachShader(program.name_.get(), *fragment);
-    glLinkProgram(program.name_.get());
+    const auto linked = std::make_shared<const Linked>(glCreateProgram());
+    glAttachShader(linked->name(), *vertex);
+    glAttachShader(linked->name(), *fragment);
+    glLinkProgram(linked->name());
     glDeleteShader(*vertex);
     glDeleteShader(*fragment);
     GLint ok = 0;
-    glGetProgramiv(program.name_.get(), GL_LINK_STATUS, &ok);
-    if (ok != 0) return program;
+    glGetProgramiv(linked->name(), GL_LINK_STATUS, &ok);
+    if (ok != 0) {
+        known = linked;
+        return Program(linked);
+    }
     std::array<char, 1000> log{};
-    glGetProgramInfoLog(program.name_.get(), static_cast<GLsizei>(log.size()), nullptr, log.data());
+    glGetProgramInfoLog(linked->name(), static_cast<GLsizei>(log.size()), nullptr, log.data());
     return core::unexpected(core::ErrorCode::Internal, std::string("the shaders do not link: ") + log.data(),
                             std::string(name));
 }
 
-Program::~Program() {
-    if (name_.get() != 0) glDeleteProgram(name_.get());
-}
-
 void Program::use() const {
-    glUseProgram(name_.get());
+    glUseProgram(linked_->name());
 }
 int Program::location(const char* uniform) const {
-    return glGetUniformLocation(name_.get(), uniform);
+    return glGetUniformLocation(linked_->name(), uniform);
 }
 void Program::set(const char* uniform, int value) const {
     glUniform1i(location(uniform), value);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,14 +31,12 @@ class GlName {
     unsigned name_ = 0;
 };
 
-/// A linked pair of shaders.
+/// A linked pair of shaders. Whoever loads the same one in the same context shares it, for building it takes a tenth of
+/// a second in software; so a uniform is what it was set to last by any of them: set all of them before drawing.
 class Program {
   public:
     /// Builds `name`.vert and `name`.frag of ui/shaders. ErrorCode::Internal with the compiler's message.
     [[nodiscard]] static core::Result<Program> load(std::string_view name);
-    Program(Program&&) noexcept = default;
-    Program& operator=(Program&&) noexcept = default;
-    ~Program();
 
     void use() const;
     void set(const char* uniform, int value) const;
@@ -47,9 +46,10 @@ class Program {
     void set(const char* uniform, float x, float y, float z, float w) const;
 
   private:
-    explicit Program(unsigned name) : name_(name) {}
+    class Linked;
+    explicit Program(std::shared_ptr<const Linked> linked) : linked_(std::move(linked)) {}
     [[nodiscard]] int location(const char* uniform) const;
-    GlName name_;
+    std::shared_ptr<const Linked> linked_;
 };
 
 enum class PixelFormat { Coverage, Colour };  ///< one byte (R8), or four with premultiplied alpha (RGBA8)

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "ui/gl/mouse_buttons.hpp"
+
 namespace ui {
 namespace {
 
@@ -69,7 +71,7 @@ class SdlWindow final : public Window {
         if (kind == WindowEvent::Kind::Up) held_.reset();
         if (kind == WindowEvent::Kind::Down) together_.reset();
         events.push_back({kind, x, y, pressure, event_time_us(stamp), id != kMouse});
-        events.back().button = id == kMouse && other_button_;
+        events.back().button = id == kMouse && buttons_.is_other();
     }
 
     void mouse(std::vector<WindowEvent>& events, WindowEvent::Kind kind, int x, int y, std::uint32_t stamp) {
@@ -105,17 +107,6 @@ class SdlWindow final : public Window {
         if (!still) events.push_back(zoom);
     }
 
-    /// The first button that goes down is the one that counts until it goes up.
-    bool is_held_button(std::uint8_t button, std::uint32_t type) {
-        if (type == SDL_MOUSEBUTTONDOWN && !mouse_button_) {
-            mouse_button_ = button;
-            return true;
-        }
-        if (type != SDL_MOUSEBUTTONUP || mouse_button_ != button) return false;
-        mouse_button_.reset();
-        return true;
-    }
-
     void window_event(std::vector<WindowEvent>& events, const SDL_WindowEvent& event) {
         const auto push = [&](WindowEvent::Kind kind) {
             events.push_back({kind, 0, 0, 1, event_time_us(event.timestamp), false});
@@ -133,7 +124,7 @@ class SdlWindow final : public Window {
                 push(WindowEvent::Kind::FocusGained);
                 break;
             case SDL_WINDOWEVENT_FOCUS_LOST:
-                mouse_button_.reset();
+                buttons_.forget();
                 held_.reset();  // the lift may go to another window
                 push(WindowEvent::Kind::FocusLost);
                 break;
@@ -159,10 +150,10 @@ class SdlWindow final : public Window {
                 break;
             case SDL_MOUSEBUTTONDOWN:
             case SDL_MOUSEBUTTONUP:
-                if (event.button.which != SDL_TOUCH_MOUSEID && is_held_button(event.button.button, event.type)) {
-                    other_button_ = event.button.button != SDL_BUTTON_LEFT;
-                    mouse(events, event.type == SDL_MOUSEBUTTONDOWN ? Kind::Down : Kind::Up, event.button.x,
-                          event.button.y, event.button.timestamp);
+                if (const bool down = event.type == SDL_MOUSEBUTTONDOWN;
+                    event.button.which != SDL_TOUCH_MOUSEID && buttons_.change(event.button.button, down)) {
+                    mouse(events, down ? Kind::Down : Kind::Up, event.button.x, event.button.y, event.button.timestamp);
+                    buttons_.settle();
                 }
                 break;
             case SDL_MOUSEMOTION:
@@ -200,8 +191,7 @@ class SdlWindow final : public Window {
     SDL_Window* window_;
     SDL_GLContext context_;
     std::optional<SDL_FingerID> held_;
-    std::optional<std::uint8_t> mouse_button_;
-    bool other_button_ = false;
+    MouseButtons buttons_;
     std::optional<std::pair<double, double>> together_;  // the middle of two fingers
 };
 

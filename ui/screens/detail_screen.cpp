@@ -119,7 +119,7 @@ class Drawer {
         list_.text(fonts_, words_["your_drawing"], label, palette::kMuted, l_.drawing.x, l_.your_drawing_y);
         card(l_.drawing, s_.px(20), false);
         for (const WashPart& part : state_.wash) {
-            const Colour c = palette::kParts[static_cast<std::size_t>(part.colour)];
+            const Colour c = palette::parts()[static_cast<std::size_t>(part.colour)];
             list_.wash(part.coverage, part.rect, c.faded(palette::kWashShare * dim(part.colour)), part.opacity);
         }
         const Rect& inked = state_.inked;
@@ -180,7 +180,10 @@ class Drawer {
         list_.icon(Icon::Turn, p.x, p.y, s_.px(32), s_.px(32) / 32 * 2.6, palette::kSanguine.faded(opened()));
     }
 
-    void model() { list_.picture(state_.model, state_.model_rect); }
+    void model() {
+        if (state_.model != PictureId{}) list_.picture(state_.model, l_.stage);
+        if (state_.still_opacity > 0) list_.picture(state_.still, state_.still_rect, state_.still_opacity);
+    }
 
     void model_tags() {
         if (state_.opened < 1) return;
@@ -233,15 +236,15 @@ class Drawer {
         const Rect r{t.place.x - d / 2, t.place.y - d / 2, d, d};
         if (ringed) list_.box({r.x - edge, r.y - edge, d + 2 * edge, d + 2 * edge}, d, palette::kSheet);
         if (t.hidden) {
-            list_.box(r, d / 2, palette::kSheet, palette::kParts[c].faded(a), edge);
+            list_.box(r, d / 2, palette::kSheet, palette::parts()[c].faded(a), edge);
         } else {
             list_.box(r, d / 2, palette::kSheet);
-            list_.box(r, d / 2, palette::kParts[c].faded(a));
+            list_.box(r, d / 2, palette::parts()[c].faded(a));
         }
         const TextStyle style{Face::SemiBold, d * 0.52, 0};
         list_.text(fonts_, std::to_string(t.colour + 1), style,
-                   (t.hidden ? palette::kMuted : palette::kTagText[c]).faded(a), t.place.x, t.place.y + cap_drop(style),
-                   Align::Centre);
+                   (t.hidden ? palette::kMuted : palette::tag_text()[c]).faded(a), t.place.x,
+                   t.place.y + cap_drop(style), Align::Centre);
     }
 
     DrawList& list_;

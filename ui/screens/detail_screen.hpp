@@ -48,8 +48,10 @@ struct SimilarCard {
 struct DetailState {
     std::size_t language = 0;
     std::string name, caption;
-    PictureId model{};
-    Rect model_rect;    ///< where the model's picture is now: while opening it grows out of its card
+    PictureId model{};  ///< fills the stage; none: not yet
+    PictureId still{};  ///< the model as on its card, over the other
+    Rect still_rect;    ///< on the screen: while opening it grows out of its card
+    double still_opacity = 0;
     double opened = 1;  ///< 0 … 1 of the opening
     PictureId ink{};
     Rect inked;                  ///< from the drawing box's corner

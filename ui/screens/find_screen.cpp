@@ -56,8 +56,12 @@ class Drawer {
 
     void sheet() {
         list_.box(l_.sheet, 0, palette::kSheet);
+        for (const ShadowPart& shadow : state_.shadows) {
+            list_.tinted(shadow.coverage, shadow.rect, palette::kShadow.faded(static_cast<float>(shadow.opacity)),
+                         l_.sheet);
+        }
         for (const WashPart& part : state_.wash) {
-            const Colour c = palette::kParts[static_cast<std::size_t>(part.colour)];
+            const Colour c = palette::parts()[static_cast<std::size_t>(part.colour)];
             list_.wash(part.coverage, part.rect, c.faded(palette::kWashShare), part.opacity);
         }
         if (state_.sheet_empty) sheet_hint();
@@ -204,8 +208,8 @@ class Drawer {
         const double cy = r.bottom() - l_.px(l_.compact ? 25 : 34);
         for (const int tag : face.tags) {
             const std::size_t c = static_cast<std::size_t>(tag);
-            list_.box({cx - d / 2, cy - d / 2, d, d}, d / 2, palette::kParts[c].faded(a));
-            list_.text(fonts_, std::to_string(tag + 1), type_.tag, palette::kTagText[c].faded(a), cx,
+            list_.box({cx - d / 2, cy - d / 2, d, d}, d / 2, palette::parts()[c].faded(a));
+            list_.text(fonts_, std::to_string(tag + 1), type_.tag, palette::tag_text()[c].faded(a), cx,
                        cy + cap_drop(type_.tag), Align::Centre);
             cx += pitch;
         }

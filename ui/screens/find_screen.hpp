@@ -19,9 +19,17 @@ enum class Tool { Pen, Eraser };
 struct WashPart {
     PictureId coverage{};
     Rect rect;           ///< on the screen
-    int colour = 0;      ///< index into palette::kParts
+    int colour = 0;      ///< index into palette::parts()
     double opacity = 1;  ///< 0 … 1 of the wash
     friend bool operator==(const WashPart&, const WashPart&) = default;
+};
+
+/// The best match under the ink, or one that fades in or out.
+struct ShadowPart {
+    PictureId coverage{};
+    Rect rect;  ///< on the screen; nothing of it is drawn beyond the sheet
+    double opacity = 1;
+    friend bool operator==(const ShadowPart&, const ShadowPart&) = default;
 };
 
 /// What can be touched on the board.
@@ -63,6 +71,7 @@ struct FindState {
     bool sheet_cleared = false;  ///< offer to bring back what New took
     std::string board_message;   ///< in the words of the language; shown where no best card stands
     std::array<CardSlot, kCardCount> cards;
+    std::vector<ShadowPart> shadows;
     std::vector<WashPart> wash;  ///< in order of size
     PictureId ink{};
     Rect inked;  ///< box of all ink, pixels from the sheet's corner

@@ -202,7 +202,7 @@ class Drawer {
         }
         switch (state_.tool) {
             case GarmentTool::OnPlane:
-                if (state_.stepper.cm)
+                if (is_plane(state_.stepper.of) && state_.stepper.cm)
                     return filled_in(words_["lines_plane_at"],
                                      {{"view", view}, {"x", stepper_number(words_, state_.stepper)}});
                 return filled_in(words_["lines_plane"], {{"view", view}});

@@ -163,8 +163,13 @@ struct FabricTile {
 };
 
 /// What the stepper below the tools sets: how far off the body lines lie; where the plane of the view lies from the
-/// middle of the body, to the front, to its left, or from the floor; how far above its point the temporary plane is.
-enum class StepperOf { Offset, Depth, Across, Height, AbovePoint };
+/// middle of the body, to the front, to its left, or from the floor; how far above its point the temporary plane is;
+/// how long quads are.
+enum class StepperOf { Offset, Depth, Across, Height, AbovePoint, Quads };
+
+[[nodiscard]] constexpr bool is_plane(StepperOf what) {
+    return what == StepperOf::Depth || what == StepperOf::Across || what == StepperOf::Height;
+}
 
 struct Stepper {
     StepperOf of = StepperOf::Offset;

@@ -15,11 +15,12 @@ struct Words {
 };
 
 Words words_of(StepperOf what) {
-    static constexpr std::array<Words, 5> kWords{{{"offset_from_body", ""},
+    static constexpr std::array<Words, 6> kWords{{{"offset_from_body", ""},
                                                   {"plane_depth", "plane_by_line"},
                                                   {"plane_across", "plane_by_line"},
                                                   {"plane_height", "plane_by_line"},
-                                                  {"plane_above_point", ""}}};
+                                                  {"plane_above_point", ""},
+                                                  {"quads_size", ""}}};
     return kWords[static_cast<std::size_t>(what)];
 }
 
@@ -71,7 +72,7 @@ void add_stepper_targets(std::vector<BoardTouch::Target>& all, const GarmentLayo
 }
 
 void draw_plane_traces(DrawList& list, const GarmentState& state, const GarmentLayout& layout) {
-    const auto width = static_cast<float>(std::max(1.0, layout.px(1.5)));
+    const auto width = static_cast<float>(std::max(1.0, layout.px(1)));
     for (const PlaneTrace& trace : state.plane_traces) {
         std::vector<InkPiece> pieces;
         for (std::size_t i = 0; i + 1 < trace.px.size(); ++i) {

@@ -39,7 +39,7 @@ class Builder {
             bottom = std::max(
                 {column(margin, w0, top, {&Builder::tablet}),
                  column(margin + w0 + gap, w1, top, {&Builder::collection, &Builder::idle}),
-                 column(margin + w0 + w1 + 2 * gap, w2, top, {&Builder::visitors, &Builder::health, &Builder::ends})});
+                 column(margin + w0 + w1 + 2 * gap, w2, top, {&Builder::visitors, &Builder::health_and_ends})});
         } else {
             const double w = std::round((s_.width() - 2 * margin - gap) / 2);
             bottom = std::max(
@@ -177,7 +177,17 @@ class Builder {
                         width_ - wide - s_.px(16), Align::Left);
             segments(r, choices, chosen, action);
         }
-        y_ += height + s_.px(18);
+        y_ += height + s_.px(8);
+    }
+
+    /// The same under its words, as wide as the panel.
+    void wide_switch(const std::string& what, const std::vector<std::string>& choices, std::size_t chosen,
+                     StationAction action) {
+        words(what, palette::kInk);
+        y_ += s_.px(12);
+        const Rect r{x_, y_, width_, s_.target(66)};
+        if (drawing_) segments(r, choices, chosen, action);
+        y_ += r.height + s_.px(8);
     }
 
     void segments(const Rect& r, const std::vector<std::string>& choices, std::size_t chosen, StationAction action) {
@@ -243,7 +253,7 @@ class Builder {
         fact(words_["pen_to_screen"],
              state_.pen_to_screen_ms ? number_in(words_, std::llround(*state_.pen_to_screen_ms)) + " ms" : "–");
         y_ += s_.px(10);
-        const Rect area{x_, y_, width_, s_.px(s_.upright ? 200 : 232)};
+        const Rect area{x_, y_, width_, s_.px(s_.upright ? 200 : 180)};
         if (drawing_) {
             page_.test_area = area;
             page_.list.box(area, s_.px(16), palette::kBoard);
@@ -268,13 +278,9 @@ class Builder {
                                                    number_in(words_, std::llround(state_.across->y)) + " %"
                                              : "–");
         rule();
-        words(words_["pressure_curve"], palette::kInk);
-        y_ += s_.px(12);
-        const Rect r{x_, y_, width_, s_.target(66)};
-        if (drawing_)
-            segments(r, {words_["curve_soft"], words_["curve_normal"], words_["curve_firm"]}, state_.curve,
-                     StationAction::Curve);
-        y_ += r.height + s_.px(12);
+        wide_switch(words_["pressure_curve"], {words_["curve_soft"], words_["curve_normal"], words_["curve_firm"]},
+                    state_.curve, StationAction::Curve);
+        wide_switch(words_["tablet_turn"], {"0°", "90°", "180°", "270°"}, state_.turn, StationAction::Turn);
         if (!state_.align_message.empty()) words(state_.align_message, palette::kInk);
         buttons({{words_["align"], ButtonKind::Plain, StationAction::Align, state_.can_align}});
     }
@@ -394,6 +400,9 @@ class Builder {
                    StationAction::Hand);
         row_switch(words_["garment_mode"], {words_["off"], words_["on"]}, state_.garment ? 1 : 0,
                    StationAction::Garment);
+        row_switch(words_["shadow"], {words_["off"], words_["on"]}, state_.shadow ? 1 : 0, StationAction::Shadow);
+        row_switch(words_["part_colours"], {words_["colours_soft"], words_["colours_strong"]}, state_.colours,
+                   StationAction::Colours);
     }
 
     [[nodiscard]] std::string duration() const {
@@ -419,6 +428,12 @@ class Builder {
         y_ -= s_.px(14);
         buttons({{words_["restart"], ButtonKind::Plain, StationAction::Restart},
                  {words_["exit_hold"], ButtonKind::Destructive, StationAction::Exit, true, state_.exit_held}});
+    }
+
+    /// Both in one panel, so that three columns fit the screen.
+    void health_and_ends() {
+        health();
+        ends();
     }
 
     StationPage& page_;

@@ -28,6 +28,9 @@ enum class StationAction : std::size_t {
     Language,  ///< index
     Hand,      ///< index: 0 left, 1 right
     Garment,   ///< index: 0 off, 1 on
+    Shadow,    ///< index: 0 off, 1 on
+    Colours,   ///< index: 0 soft, 1 strong
+    Turn,      ///< index: quarters clockwise
     SelfTest,
     SaveReport,
     Align,
@@ -63,6 +66,7 @@ struct StationState {
     std::optional<core::Point> across;       ///< where it is on the screen, per cent
     std::vector<InkPiece> trail;             ///< what was drawn there, on the screen
     std::size_t curve = 1;
+    std::size_t turn = 0;  ///< quarters clockwise
     bool can_align = false;
     std::string align_message;  ///< in words, of the last try
     /// Pen and screen are being aligned: nothing but this is shown.
@@ -96,6 +100,8 @@ struct StationState {
     std::size_t start_language = 0;
     bool start_left = false;
     bool garment = true;  ///< offered to visitors
+    bool shadow = true;
+    std::size_t colours = 0;  ///< of parts: 0 soft, 1 strong
     std::int64_t running_s = 0;
     double worst_frame_ms = 0;
     std::optional<bool> pen_live;  ///< nothing where there is no tablet

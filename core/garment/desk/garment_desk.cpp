@@ -1,37 +1,15 @@
 #include "core/garment/desk/garment_desk.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "core/garment/desk/desk_notes.hpp"
-#include "core/garment/desk/middle_line.hpp"
-#include "core/garment/desk/network_paths.hpp"
-#include "core/garment/desk/pick.hpp"
-#include "core/garment/desk/region_names.hpp"
+#include "core/garment/desk/desk_steps.hpp"
 
 namespace core {
 namespace {
 
 using Kind = DesignStep::Kind;
-
-DesignStep step_of(Kind kind) {
-    DesignStep step;
-    step.kind = kind;
-    return step;
-}
-
-DesignStep region_step(Kind kind, const std::string& region) {
-    DesignStep step = step_of(kind);
-    step.region = region;
-    return step;
-}
-
-DesignStep layer_step(Kind kind, int layer) {
-    DesignStep step = step_of(kind);
-    step.layer = layer;
-    return step;
-}
 
 }  // namespace
 
@@ -98,129 +76,6 @@ DeskReply GarmentDesk::act(const std::vector<DesignStep>& steps, bool closes) {
     return reply;
 }
 
-/// Loose ends that a new line passes are joined to it, as they would be had it been there first.
-void GarmentDesk::join_ends(DesignRunner& next, std::vector<DesignStep>& saved) const {
-    for (const OpenEnd& end : open_ends(next.network(), next.layer())) {
-        if (end.nearest == end.line || end.nearest.empty() || end.gap_cm > settings_only_.network.snap_cm) continue;
-        DesignStep step = step_of(Kind::Join);
-        step.at = end.place;
-        step.lines = {end.nearest};
-        if (Result<DesignStep> done = next.take(step); done) {
-            saved.push_back(std::move(*done));
-            return join_ends(next, saved);  // the other ends again: lines were split
-        }
-    }
-}
-
-/// New lines get vertices where they cross others, or themselves.
-void GarmentDesk::meet_lines(DesignRunner& next, std::vector<DesignStep>& saved) const {
-    constexpr int kMost = 32;  // crossings of one stroke
-    const std::string name = saved.front().kind == Kind::Line ? saved.front().name : std::string();
-    for (int k = 0; k < kMost && !name.empty(); ++k) {
-        const std::optional<LineCrossing> found = first_crossing(next.network(), next.layer(), name, next.obstacle());
-        if (!found) return;
-        DesignStep step = step_of(Kind::Meet);
-        step.lines = {next.network().piece_name(found->line), next.network().piece_name(found->other)};
-        step.at = found->at;
-        step.to = found->to;
-        Result<DesignStep> done = next.take(step);
-        if (!done) return;
-        saved.push_back(std::move(*done));
-    }
-}
-
-/// Lines in the middle that came by themselves give way to one that the designer draws there along them.
-void GarmentDesk::give_way(DesignRunner& next, std::vector<DesignStep>& saved) const {
-    if (saved.front().kind != Kind::Line) return;
-    for (bool changed = true; changed;) {  // pieces of one name change their numbers as one goes
-        changed = false;
-        for (std::size_t i = 0; i < next.network().lines().size() && !changed; ++i) {
-            const NetworkLine& line = next.network().lines()[i];
-            if (!line.alive || line.layer != next.layer() || line.name.rfind(kMiddleLine, 0) != 0) continue;
-            if (!runs_along(next.network(), next.layer(), saved.front().name, line.shape, next.obstacle())) continue;
-            DesignStep step = step_of(Kind::Erase);
-            step.lines = {next.network().piece_name(static_cast<int>(i))};
-            Result<DesignStep> done = next.take(step);
-            if (!done) continue;
-            saved.push_back(std::move(*done));
-            changed = true;
-        }
-    }
-}
-
-/// Where outlines are open in the middle alone: from an end there to another place of the middle, on one side of the
-/// body, if a line between the two closes one.
-void GarmentDesk::close_middle(DesignRunner& next, std::vector<DesignStep>& saved) const {
-    std::vector<Vec3> ends, all;
-    for (const OpenEnd& end : open_ends(next.network(), next.layer())) {
-        if (end.place.x != 0.0) return;  // still being drawn
-        ends.push_back(end.place);
-    }
-    for (const NetworkVertex& vertex : next.network().vertices())
-        if (vertex.alive && vertex.layer == next.layer() && vertex.place.x == 0.0) all.push_back(vertex.place);
-    struct Pair {
-        double gap;
-        Vec3 from, to;
-    };
-    std::vector<Pair> pairs;
-    for (const Vec3& from : ends)
-        for (const Vec3& to : all)
-            if (from != to && is_one_side(next.obstacle(), from, to)) pairs.push_back({length(from - to), from, to});
-    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) { return x.gap < y.gap; });
-    for (const Pair& pair : pairs) {
-        DesignStep step;
-        step.name = free_line_name(next.network(), kMiddleLine);
-        step.stroke = middle_stroke(next.obstacle(), pair.from, pair.to);
-        DesignRunner tried = next;
-        Result<DesignStep> done = tried.take(step);
-        if (!done) continue;
-        const std::vector<OpenFace> faces = open_faces(tried.network(), tried.layer(), tried.obstacle());
-        const bool closes = std::any_of(faces.begin(), faces.end(), [&](const OpenFace& face) {
-            return std::any_of(face.ring.begin(), face.ring.end(), [&](LineUse use) {
-                return tried.network().lines()[static_cast<std::size_t>(use.line)].name == step.name;
-            });
-        });
-        if (!closes) continue;
-        saved.push_back(std::move(*done));
-        next = std::move(tried);
-        return close_middle(next, saved);
-    }
-}
-
-/// Regions for the outlines that are closed now.
-void GarmentDesk::close_regions(DesignRunner& next, std::vector<DesignStep>& saved, DeskReply& reply) const {
-    struct Whole {
-        double alpha;
-        PartSet parts;
-    };
-    std::map<std::string, Whole> parted;  // regions that lines part, as they were
-    for (const OpenFace& face : open_faces(next.network(), next.layer(), next.obstacle())) {
-        DesignStep step = step_of(Kind::Region);
-        step.lines = names_of_ring(next.network(), next.layer(), face.ring);
-        step.alpha = settings_.alpha;
-        if (face.part_of.empty()) {
-            step.name = name_for_region(next.network(), face.ring, next.obstacle());
-        } else if (const auto known = parted.find(face.part_of); known != parted.end()) {
-            step.name = free_region_name(next.network(), face.part_of);
-            step.alpha = known->second.alpha;
-            step.parts = known->second.parts;
-        } else {
-            const NetworkRegion& whole = *next.network().find_region(face.part_of);
-            step.name = step.region = face.part_of;
-            step.alpha = whole.alpha;
-            step.parts = whole.parts;
-            parted.emplace(face.part_of, Whole{whole.alpha, whole.parts});
-        }
-        Result<DesignStep> done = next.take(step);
-        if (done) {
-            saved.push_back(std::move(*done));
-        } else {
-            reply.notes.push_back(note_of(done.error(), ring_line(next.network(), face.ring).front()));
-            reply.notes.back().key = "not_filled";
-        }
-    }
-}
-
 /// After undo and redo: nothing of the state before is shown on.
 void GarmentDesk::went() {
     journal_.push_back({JournalEvent::Kind::Place, {}, history_.place()});
@@ -262,6 +117,18 @@ DeskReply GarmentDesk::remove_region(const std::string& region) {
 DeskReply GarmentDesk::associate(const std::string& region, PartSet parts) {
     DesignStep step = region_step(Kind::Associate, region);
     step.parts = parts;
+    return act({step});
+}
+
+/// Several changes in a row are one act.
+DeskReply GarmentDesk::set_edge(double cm) {
+    if (cm == network().options().edge_cm) return {};
+    DesignStep step = step_of(Kind::Edges);
+    step.radius = cm;
+    if (history_.place() > 0) {
+        const std::vector<DesignStep>& last = history_.act(history_.place() - 1);
+        if (last.size() == 1 && last.front().kind == Kind::Edges) (void)go_to(history_.place() - 1);
+    }
     return act({step});
 }
 

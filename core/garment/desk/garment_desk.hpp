@@ -137,6 +137,8 @@ class GarmentDesk {
     DeskReply remove_region(const std::string& region);
     DeskReply associate(const std::string& region, PartSet parts);
     DeskReply set_mirror(bool on);
+    /// Length of quads along lines, kLeastEdge_cm to kMostEdge_cm; of the whole design.
+    DeskReply set_edge(double cm);
 
     DeskReply new_layer();
     DeskReply work_on(int layer);
@@ -205,6 +207,8 @@ class GarmentDesk {
     void drop_live();
 
   private:
+    struct WholeRegion;
+
     GarmentDesk(Design settings, DesignRunner start);
 
     DeskReply act(const std::vector<DesignStep>& steps, bool closes = false);
@@ -213,6 +217,8 @@ class GarmentDesk {
     void give_way(DesignRunner& next, std::vector<DesignStep>& saved) const;
     void close_middle(DesignRunner& next, std::vector<DesignStep>& saved) const;
     void close_regions(DesignRunner& next, std::vector<DesignStep>& saved, DeskReply& reply) const;
+    void keep_look(DesignRunner& next, std::vector<DesignStep>& saved, const std::string& part,
+                   const WholeRegion& whole) const;
     void went();  // to another state
 
     void begin_part(const DrawingView& view, Point at);

@@ -22,8 +22,10 @@ TapeReading GarmentDesk::girth_at(const DrawingView& view, Point at) const {
     std::optional<Vec3> place = worn.obstacle.first_hit(ray.origin, ray.direction, 0.0, kRayReach_cm);
     const QuadMesh* mesh = &worn.obstacle.surfaces().front();
     for (const BuiltLayer& layer : cloth_) {
-        const DesignLook::Layer& look = state().look().layers[static_cast<std::size_t>(layer.layer)];
-        const std::optional<Vec3> on = look.shown ? first_on_mesh(layer.cloth->fitted.mesh, ray) : std::nullopt;
+        const std::vector<DesignLook::Layer>& looks = state().look().layers;
+        const auto number = static_cast<std::size_t>(layer.layer);  // cloth may be of a layer that was undone
+        const std::optional<Vec3> on =
+            number < looks.size() && looks[number].shown ? first_on_mesh(layer.cloth->fitted.mesh, ray) : std::nullopt;
         if (!on || (place && view.depth(*on) <= view.depth(*place))) continue;
         place = on;
         mesh = &layer.cloth->fitted.mesh;

@@ -66,6 +66,7 @@ std::optional<std::vector<LineUse>> ring_with_line(const Network& network, int l
 namespace {
 
 constexpr double kApart_cm = 1.5;
+constexpr double kSamePlace_cm = 0.1;  // crossings nearer than this are one
 
 /// Where the segments p q and r s cross when seen along `out`: how far along each.
 std::optional<std::pair<double, double>> crossing_of(Vec3 p, Vec3 q, Vec3 r, Vec3 s, Vec3 out) {
@@ -89,7 +90,8 @@ bool meet_there(const Network& network, int line, int other, Vec3 place) {
     return false;
 }
 
-std::optional<LineCrossing> crossing_with(const Network& network, int line, int other, const Obstacle& body) {
+std::optional<LineCrossing> crossing_with(const Network& network, int line, int other, const Obstacle& body,
+                                          const std::vector<Vec3>& refused) {
     const SpaceLine &own = network.lines()[static_cast<std::size_t>(line)].shape,
                     &shape = network.lines()[static_cast<std::size_t>(other)].shape;
     constexpr std::size_t kApart = 8;  // segments of one line that cannot cross
@@ -103,7 +105,9 @@ std::optional<LineCrossing> crossing_with(const Network& network, int line, int 
             if (!met) continue;
             const Vec3 at = own[i] + (own[i + 1] - own[i]) * met->first,
                        to = shape[k] + (shape[k + 1] - shape[k]) * met->second;
-            if (!meet_there(network, line, other, at)) return LineCrossing{line, other, at, to};
+            const bool known = std::any_of(refused.begin(), refused.end(),
+                                           [&](Vec3 place) { return length(place - at) < kSamePlace_cm; });
+            if (!known && !meet_there(network, line, other, at)) return LineCrossing{line, other, at, to};
         }
     }
     return std::nullopt;
@@ -112,7 +116,7 @@ std::optional<LineCrossing> crossing_with(const Network& network, int line, int 
 }  // namespace
 
 std::optional<LineCrossing> first_crossing(const Network& network, int layer, const std::string& name,
-                                           const Obstacle& body) {
+                                           const Obstacle& body, const std::vector<Vec3>& refused) {
     const auto count = static_cast<int>(network.lines().size());
     for (int i = 0; i < count; ++i) {
         const NetworkLine& line = network.lines()[static_cast<std::size_t>(i)];
@@ -120,7 +124,7 @@ std::optional<LineCrossing> first_crossing(const Network& network, int layer, co
         for (int k = 0; k < count; ++k) {
             const NetworkLine& other = network.lines()[static_cast<std::size_t>(k)];
             if (!other.alive || other.layer != layer) continue;
-            if (std::optional<LineCrossing> found = crossing_with(network, i, k, body); found) return found;
+            if (std::optional<LineCrossing> found = crossing_with(network, i, k, body, refused); found) return found;
         }
     }
     return std::nullopt;

@@ -26,10 +26,10 @@ struct LineCrossing {
     int line = 0, other = 0;  ///< may be the same
     Vec3 at, to;              ///< on the one and on the other
 };
-/// The first crossing of any piece of this name with any line of its layer; nothing for none. Quadratic in the points
-/// of the piece and of what lies near it.
+/// The first crossing of any piece of this name with any line of its layer that is not near to one of `refused`;
+/// nothing for none. Quadratic in the points of the piece and of what lies near it.
 [[nodiscard]] std::optional<LineCrossing> first_crossing(const Network& network, int layer, const std::string& name,
-                                                         const Obstacle& body);
+                                                         const Obstacle& body, const std::vector<Vec3>& refused = {});
 
 /// The stretch of a line between the places nearest to two others, in its direction.
 [[nodiscard]] SpaceLine stretch_between(const SpaceLine& line, Vec3 from, Vec3 to);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "tests/support/kiosk_stand.hpp"
 
@@ -27,7 +29,94 @@ ui::DetailState state(test::KioskStand& kiosk) {
     return kiosk.shell->detail().state(0, kiosk.now_us);
 }
 
+/// Frames and the time between them, until the model itself is shown.
+void wait_for_model(test::KioskStand& kiosk) {
+    for (int i = 0; i < 2000 && state(kiosk).model == ui::PictureId{}; ++i) {
+        kiosk.wait(1.0 / 60);
+        kiosk.shell->update_ink();
+        kiosk.shell->use_spare_time();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    REQUIRE(state(kiosk).model != ui::PictureId{});
+}
+
+/// Mean of 0 ... 255 over the model's place, the second picture moved right by so many pixels.
+double difference(const core::RgbaImage& a, const core::RgbaImage& b, const ui::Rect& place, int moved) {
+    double sum = 0;
+    int count = 0;
+    for (int y = static_cast<int>(place.y); y < place.bottom(); ++y) {
+        for (int x = static_cast<int>(place.x); x + moved < place.right(); ++x, ++count) {
+            const auto at = [&](const core::RgbaImage& image, int column) {
+                return int{image.pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                                         static_cast<std::size_t>(column)) *
+                                        4]};
+            };
+            sum += std::abs(at(a, x) - at(b, x + moved));
+        }
+    }
+    return sum / std::max(count, 1);
+}
+
 }  // namespace
+
+TEST_CASE("no frame waits for a model: its still picture grows to its place, and the model takes over there",
+          "[detail]") {
+    const auto kiosk = opened(0);
+    kiosk->tap(kiosk->shell->detail().layout().back);
+    kiosk->shell->detail().set_frames_are_seen(true);
+    kiosk->tap(kiosk->find->layout().cards[0]);
+    CHECK(state(*kiosk).model == ui::PictureId{});
+    CHECK(state(*kiosk).still_opacity == 1);
+    const double small = state(*kiosk).still_rect.width;
+    kiosk->wait(0.33);  // without a step between frames: the still picture is in its place
+    REQUIRE(state(*kiosk).opened == 1);
+    CHECK(state(*kiosk).still_rect.width > 1.5 * small);
+    CHECK(state(*kiosk).model_tags.empty());
+    const core::RgbaImage still = kiosk->picture();
+    const ui::DetailLayout layout = kiosk->shell->detail().layout();
+    kiosk->tap(layout.sheet.right() - 30, layout.sheet.y + 100);  // no greeting
+    wait_for_model(*kiosk);
+    CHECK_FALSE(state(*kiosk).model_tags.empty());
+    kiosk->wait(0.5);
+    CHECK(state(*kiosk).still_opacity == 0);
+    const core::RgbaImage model = kiosk->picture();
+    const double as_shown = difference(still, model, layout.model, 0);
+    CHECK(as_shown < 12);
+    CHECK(difference(still, model, layout.model, 12) > 1.3 * as_shown);
+}
+
+TEST_CASE("a model that was made ready beside the frames is the one that is made at once", "[detail]") {
+    const auto picture = [](bool beside) {
+        const auto kiosk = opened(1);
+        kiosk->tap(kiosk->shell->detail().layout().back);
+        kiosk->shell->detail().set_frames_are_seen(beside);
+        kiosk->tap(kiosk->find->layout().cards[1]);
+        if (beside) wait_for_model(*kiosk);
+        kiosk->wait(6);
+        kiosk->shell->update_ink();
+        for (int i = 0; i < 8; ++i) kiosk->shell->use_spare_time();  // the other models' pictures
+        return kiosk->picture().pixels;
+    };
+    const bool same = picture(true) == picture(false);
+    CHECK(same);
+}
+
+TEST_CASE("a result that is left before its model is ready is not shown by the next", "[detail]") {
+    const auto kiosk = opened(0);
+    kiosk->tap(kiosk->shell->detail().layout().back);
+    kiosk->shell->detail().set_frames_are_seen(true);
+    kiosk->tap(kiosk->find->layout().cards[0]);
+    kiosk->tap(kiosk->shell->detail().layout().similar[2]);  // while the first is on its way
+    const std::string name = state(*kiosk).name;
+    wait_for_model(*kiosk);
+    CHECK(state(*kiosk).name == name);
+    kiosk->tap(kiosk->shell->detail().layout().back);
+    CHECK_FALSE(kiosk->shell->detail().is_open());
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    kiosk->wait(0.1);
+    kiosk->shell->use_spare_time();
+    CHECK(kiosk->scene() == Scene::Work);
+}
 
 TEST_CASE("a card opens its model, and keep drawing gives the drawing back as it was", "[detail]") {
     test::KioskStand kiosk(kSize);

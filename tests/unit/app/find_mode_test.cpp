@@ -63,6 +63,61 @@ TEST_CASE("ink goes on while a slow search runs, and the newest drawing is found
     CHECK(kiosk.find->searches() <= 4);  // thirteen strokes, but only the newest ones were searched
 }
 
+TEST_CASE("the best match lies under the ink as a shadow, fades in, can be switched off, and leaves with the drawing",
+          "[find mode]") {
+    test::FigureSearcher figures(test::make_animals());
+    Kiosk kiosk(&figures);
+    const auto frames_until = [&](auto done) {
+        for (int i = 0; i < 1000 && !done(); ++i) {
+            kiosk.now_us += 16'667;
+            kiosk.find->update(kiosk.now_us);
+            std::this_thread::sleep_for(2ms);
+        }
+        return done();
+    };
+    CHECK(kiosk.state().shadows.empty());
+    kiosk.stroke(700, 300, 1000, 310);
+    kiosk.stroke(1000, 310, 980, 500);
+    REQUIRE(frames_until([&] { return !kiosk.state().shadows.empty(); }));
+    CHECK(kiosk.state().shadows[0].opacity < 0.5);
+    REQUIRE(frames_until([&] { return kiosk.state().shadows[0].opacity == 1; }));
+    const ui::ShadowPart shadow = kiosk.state().shadows[0];
+    CHECK(shadow.rect.x < 1000);
+    CHECK(shadow.rect.right() > 700);
+    kiosk.find->show_shadow(false);
+    CHECK(kiosk.state().shadows.empty());
+    kiosk.find->show_shadow(true);
+    CHECK(kiosk.state().shadows.size() == 1);
+    kiosk.tap(kiosk.layout().tools[4]);  // New
+    CHECK(kiosk.state().shadows.empty());
+    kiosk.find->update(kiosk.now_us + 500'000);
+    CHECK(kiosk.state().shadows.empty());
+}
+
+TEST_CASE("what a stroke brings between frames is searched without waiting for the next", "[find mode]") {
+    test::FigureSearcher figures(test::make_animals());
+    Kiosk kiosk(&figures);
+    const auto searched = [&](std::uint64_t count) {
+        for (int i = 0; i < 500 && kiosk.find->searches() < count; ++i) std::this_thread::sleep_for(10ms);
+        return kiosk.find->searches() == count;
+    };
+    kiosk.event(Kind::Down, 700, 300);
+    for (int i = 1; i <= 20; ++i) kiosk.event(Kind::Move, 700 + i * 15, 300 + i);
+    kiosk.find->search_news();
+    CHECK(searched(1));
+    kiosk.find->search_news();  // nothing new
+    std::this_thread::sleep_for(30ms);
+    CHECK(kiosk.find->searches() == 1);
+    kiosk.event(Kind::Move, 1000, 500);
+    kiosk.find->search_news();
+    CHECK(searched(2));
+    kiosk.event(Kind::Up, 1000, 500);
+    CHECK(searched(3));
+    kiosk.find->search_news();  // no stroke is drawn
+    std::this_thread::sleep_for(30ms);
+    CHECK(kiosk.find->searches() == 3);
+}
+
 TEST_CASE("tools work by touch: eraser, undo, redo, new and taking back new", "[find mode]") {
     Kiosk kiosk(nullptr);
     kiosk.stroke(700, 200, 1000, 200);

@@ -87,7 +87,7 @@ TEST_CASE("a body of the studio's own is chosen by its file; a bad one is told i
     (void)folder.write("notes.txt", "no body");
     app::GarmentOptions options;
     options.bodies = folder.path("");
-    test::KioskStand kiosk(kSize, {}, {}, {}, options);
+    test::KioskStand kiosk(kSize, {}, {}, {}, nullptr, options);
     test::GarmentHand hand(kiosk);
     hand.enter();
     const double before = kiosk.garment->views().height_cm();
@@ -185,7 +185,7 @@ TEST_CASE("pictures of a folder are fabrics; a bad one is one sentence", "[garme
 
     app::GarmentOptions options;
     options.fabrics = folder.path("");
-    test::KioskStand kiosk(kSize, {}, {}, {}, options);
+    test::KioskStand kiosk(kSize, {}, {}, {}, nullptr, options);
     test::GarmentHand hand(kiosk);
     hand.enter();
     hand.open("skirt_flat");

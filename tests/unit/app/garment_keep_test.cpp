@@ -95,7 +95,7 @@ TEST_CASE("a design that was drawn is in the gallery with its picture, and opens
     const support::TemporaryFolder folder;
     std::string drawn;
     {
-        test::KioskStand kiosk(kSize, {}, {}, {}, keeping_in(folder));
+        test::KioskStand kiosk(kSize, {}, {}, {}, nullptr, keeping_in(folder));
         test::GarmentHand hand(kiosk);
         hand.enter();
         hand.skirt();
@@ -104,7 +104,7 @@ TEST_CASE("a design that was drawn is in the gallery with its picture, and opens
         kiosk.garment->settle(kiosk.now_us);
         kiosk.garment->wipe(0, ui::Hand::Right);
     }
-    test::KioskStand kiosk(kSize, {}, {}, {}, keeping_in(folder));  // the next morning
+    test::KioskStand kiosk(kSize, {}, {}, {}, nullptr, keeping_in(folder));  // the next morning
     test::GarmentHand hand(kiosk);
     hand.enter();
     open_gallery(hand, kiosk);
@@ -120,7 +120,7 @@ TEST_CASE("a design that was drawn is in the gallery with its picture, and opens
 
 TEST_CASE("designs are renamed, copied, deleted and put back by touch", "[garment keep]") {
     const support::TemporaryFolder folder;
-    test::KioskStand kiosk(kSize, {}, {}, {}, keeping_in(folder));
+    test::KioskStand kiosk(kSize, {}, {}, {}, nullptr, keeping_in(folder));
     test::GarmentHand hand(kiosk);
     hand.enter();
     draw_lines(hand);
@@ -155,7 +155,7 @@ TEST_CASE("designs are renamed, copied, deleted and put back by touch", "[garmen
 
 TEST_CASE("the design on the sheet is renamed while it is drawn on", "[garment keep]") {
     const support::TemporaryFolder folder;
-    test::KioskStand kiosk(kSize, {}, {}, {}, keeping_in(folder));
+    test::KioskStand kiosk(kSize, {}, {}, {}, nullptr, keeping_in(folder));
     test::GarmentHand hand(kiosk);
     hand.enter();
     draw_lines(hand);
@@ -180,12 +180,12 @@ TEST_CASE("a wipe leaves nothing of a visitor on the screen, and what was drawn 
     core::RgbaImage empty;
     {
         const support::TemporaryFolder folder;
-        test::KioskStand fresh(kSize, {}, {}, {}, keeping_in(folder));
+        test::KioskStand fresh(kSize, {}, {}, {}, nullptr, keeping_in(folder));
         test::GarmentHand(fresh).enter();
         empty = fresh.picture();
     }
     const support::TemporaryFolder own;
-    test::KioskStand kiosk(kSize, {}, {}, {}, keeping_in(own));
+    test::KioskStand kiosk(kSize, {}, {}, {}, nullptr, keeping_in(own));
     test::GarmentHand hand(kiosk);
     hand.enter();
     draw_lines(hand);
@@ -208,7 +208,7 @@ TEST_CASE("a wipe leaves nothing of a visitor on the screen, and what was drawn 
 TEST_CASE("a garment is exported to a folder by two presses", "[garment keep]") {
     const support::TemporaryFolder folder;
     std::filesystem::create_directories(folder.path("taken"));
-    test::KioskStand kiosk(kSize, {}, {}, {}, keeping_in(folder));
+    test::KioskStand kiosk(kSize, {}, {}, {}, nullptr, keeping_in(folder));
     test::GarmentHand hand(kiosk);
     hand.enter();
     hand.press(A::Export);

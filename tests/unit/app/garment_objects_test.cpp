@@ -154,7 +154,7 @@ TEST_CASE("a wipe takes objects along, and a model that is gone is said", "[garm
     options.model_source = [](const std::string& model) -> core::Result<core::TriangleMesh> {
         return core::unexpected(core::ErrorCode::FileMissing, "the model \"" + model + "\" is not in the collection");
     };
-    test::KioskStand kiosk(kSize, {}, {}, {}, options);
+    test::KioskStand kiosk(kSize, {}, {}, {}, nullptr, options);
     wear_a_horse(kiosk);
     const core::Design design = kiosk.garment->design();
     const core::RgbaImage worn = kiosk.picture();
@@ -197,7 +197,7 @@ TEST_CASE("what was worn and moved is recorded and drawn again", "[garment objec
     CHECK(replay->placed[0].before == 0);
     app::GarmentOptions options;
     options.model_source = [&](const std::string&) { return core::Result<core::TriangleMesh>(*mesh); };
-    test::KioskStand kiosk(kSize, {}, {}, {}, options);
+    test::KioskStand kiosk(kSize, {}, {}, {}, nullptr, options);
     test::play(kiosk, *replay);
     CHECK(core::design_text(kiosk.garment->design()) == drawn);
     const bool same = kiosk.picture().pixels == seen.pixels;

@@ -60,6 +60,25 @@ TEST_CASE("the nearest models are the first of all ranked ones, whatever the num
     }
 }
 
+TEST_CASE("ranked both ways at once, models lie as far as ranked one way after the other", "[search]") {
+    const std::vector<CollectionModel> models = collection(40);
+    const auto equal = [](const std::vector<RankedModel>& a, const std::vector<RankedModel>& b) {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const RankedModel& p, const RankedModel& q) {
+            return p.model == q.model && p.distance == q.distance;
+        });
+    };
+    for (const unsigned number : {3U, 200U, 201U}) {
+        const std::vector<core::ComparableShape> drawn{star(number), star(number + 50)};
+        for (const int jobs : {1, 3}) {
+            const ModelSearch search{.readings = drawn, .except = 5, .jobs = jobs};
+            const app::BothRankings both = app::rank_models_both_ways(models, search);
+            REQUIRE(both.fused.size() == models.size() - 1);
+            CHECK(equal(both.by_parts, app::rank_models(models, search, RankBy::Parts)));
+            CHECK(equal(both.fused, app::rank_models(models, search, RankBy::Fused)));
+        }
+    }
+}
+
 TEST_CASE("models that are thought to be near change no answer, right or wrong", "[search]") {
     const std::vector<CollectionModel> models = collection(40);
     const std::vector<core::ComparableShape> drawn{star(200)};

@@ -144,6 +144,40 @@ TEST_CASE("settings take effect, are kept in the file, and hold for the next vis
     CHECK(kiosk.find->hand() == ui::Hand::Left);
 }
 
+TEST_CASE("how the tablet is turned, the shadow and the colours of parts are set on the page", "[operator]") {
+    const support::TemporaryFolder folder;
+    app::ShellOptions options;
+    options.station.config_file = folder.path("croquis.toml");
+    options.station.config.tablet.align = {1, 0, 0.01, 0, 1, 0};
+    app::Config told;
+    options.station.changed = [&told](const app::Config& config) { told = config; };
+    test::KioskStand kiosk(kSize, options);
+    kiosk.shell->open_sheet(kiosk.now_us);
+    kiosk.draw_horse();
+    CHECK_FALSE(kiosk.find->state(kiosk.now_us).shadows.empty());
+    const core::RgbaImage soft = kiosk.picture();
+    open_station(kiosk);
+    kiosk.press_station(StationAction::Turn, 2);
+    CHECK(told.tablet.turn == "half");
+    CHECK(told.tablet.align.empty());  // it was found the other way
+    kiosk.press_station(StationAction::Shadow, 0);
+    kiosk.press_station(StationAction::Colours, 1);
+    const auto config = app::read_config(folder.path("croquis.toml"));
+    REQUIRE(config);
+    CHECK(config->tablet.turn == "half");
+    CHECK_FALSE(config->visitors.shadow);
+    CHECK(config->visitors.part_colours == "strong");
+    CHECK(kiosk.shell->station_page(kiosk.now_us).list.commands.size() > 10);
+    kiosk.press_station(StationAction::Close);
+    kiosk.shell->open_sheet(kiosk.now_us);
+    kiosk.draw_horse();
+    CHECK(kiosk.find->state(kiosk.now_us).shadows.empty());
+    const bool other_colours = kiosk.picture().pixels != soft.pixels;
+    CHECK(other_colours);
+    CHECK(ui::palette::chosen_parts() == ui::palette::PartPalette::Strong);
+    ui::palette::choose_parts(ui::palette::PartPalette::Soft);
+}
+
 TEST_CASE("a folder is chosen and added, an import is shown and stopped, problems are listed", "[operator]") {
     const support::TemporaryFolder folder;
     (void)folder.write("sticks/animals/horse.off", "OFF\n");

@@ -58,7 +58,7 @@ TEST_CASE("regions are recorded with the parts they lie over, ends of lines with
     line.stroke = {{*core::named_view("front"),
                     {core::DrawingTool::Kind::Body, 1.0},
                     {{front.x + 0.4, front.y + 0.5}, {0.5 * left.x, left.y}, {left.x + 0.5, left.y - 0.5}}}};
-    const DesignStep snapped = runner->snapped(line, 2.0);
+    const DesignStep snapped = runner->snapped(line, 4.0);
     CHECK(snapped.starts_at == "waist_front");
     CHECK(snapped.ends_at == "waist_left");
     REQUIRE(runner->take(snapped));

@@ -40,7 +40,7 @@ void add_random(ui::DrawList& list, const ui::FontSet& fonts, std::mt19937& rand
             list.icon(ui::Icon::Hand, x, y, number(12, 40), 2, ui::palette::kMuted);
             break;
         case 4:
-            list.wash(kPicture, rect, ui::palette::kParts[1], number(0, 1));
+            list.wash(kPicture, rect, ui::palette::parts()[1], number(0, 1));
             break;
         default:
             list.ink(

@@ -107,7 +107,7 @@ TEST_CASE("the wash multiplies the part's colour at 42 per cent, under the ink",
     const Screen s;
     ui::DrawList list;
     list.box({0, 0, 20, 20}, 0, ui::palette::kSheet);
-    list.wash(ui::PictureId{5}, {0, 0, 20, 20}, ui::palette::kParts[0].faded(ui::palette::kWashShare), 1);
+    list.wash(ui::PictureId{5}, {0, 0, 20, 20}, ui::palette::parts()[0].faded(ui::palette::kWashShare), 1);
     core::Result<ui::Painter> painter = ui::Painter::create(s.fonts);
     REQUIRE(painter);
     ui::Texture full({1, 1}, ui::PixelFormat::Coverage);

@@ -110,7 +110,7 @@ TEST_CASE("the colour on a model is 76 per cent part and 24 per cent clay", "[mo
     const auto context = test::gl();
     const test::Pixel clay = test::pixel(paint(make_card(false, {})), 100, 135);
     const test::Pixel part = test::pixel(paint(make_card(false, halves())), 100, 135);
-    const ui::Colour c = ui::palette::kClay, p = ui::palette::kParts[0];
+    const ui::Colour c = ui::palette::kClay, p = ui::palette::parts()[0];
     const double expected = (0.76 * p.r + 0.24 * c.r) / c.r;  // the light is the same
     CHECK(static_cast<double>(part.r) / clay.r == Approx(expected).margin(0.04));
 }

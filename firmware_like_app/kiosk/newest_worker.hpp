@@ -1,0 +1,77 @@
+#pragma once
+// Work on a thread of its own of which only the newest counts: at most one job runs and one waits.
+//
+//     NewestWorker<DetailJob, PreparedDetail> worker(prepare_detail);
+//     worker.start(job);                                  // when something is wanted
+//     if (auto ready = worker.take()) …                   // once a frame
+
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "firmware_like_app/kiosk/background.hpp"
+
+namespace app {
+
+template <typename Job, typename Result>
+class NewestWorker {
+  public:
+    explicit NewestWorker(std::function<Result(const Job&)> work) : work_(std::move(work)) {
+        thread_ = std::jthread([this](const std::stop_token& stop) {
+            yield_to_the_pen();
+            run(stop);
+        });
+    }
+    /// Waits for what it is at.
+    ~NewestWorker() {
+        thread_.request_stop();
+        thread_.join();
+    }
+    NewestWorker(const NewestWorker&) = delete;
+    NewestWorker& operator=(const NewestWorker&) = delete;
+
+    /// Hands over a job and returns at once; one that still waits is replaced.
+    void start(Job job) {
+        const std::scoped_lock lock(mutex_);
+        waiting_ = std::move(job);
+        changed_.notify_all();
+    }
+    /// The newest result, once. Nothing comes of a job that threw, which is one that there was no memory for.
+    [[nodiscard]] std::optional<Result> take() {
+        const std::scoped_lock lock(mutex_);
+        return std::exchange(done_, std::nullopt);
+    }
+
+  private:
+    void run(const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+            std::optional<Job> job;
+            {
+                std::unique_lock lock(mutex_);
+                if (!changed_.wait(lock, stop, [this] { return waiting_.has_value(); })) return;
+                job = std::exchange(waiting_, std::nullopt);
+            }
+            std::optional<Result> result;
+            try {
+                result = work_(*job);
+            } catch (const std::exception&) {
+                continue;
+            }
+            const std::scoped_lock lock(mutex_);
+            done_ = std::move(result);
+        }
+    }
+
+    std::function<Result(const Job&)> work_;
+    std::mutex mutex_;
+    std::condition_variable_any changed_;
+    std::optional<Job> waiting_;
+    std::optional<Result> done_;
+    std::jthread thread_;
+};
+
+}  // namespace app
