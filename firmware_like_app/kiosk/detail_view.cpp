@@ -1,6 +1,7 @@
 #include "firmware_like_app/kiosk/detail_view.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -199,11 +200,20 @@ void DetailView::use_spare_time(ui::Painter& painter) {
         stage_.make_picture(whole(layout_.stage));
         model_ = Model::Pictured;
     } else if (model_ == Model::Pictured && view_) {
-        draw_stage(painter);
-        model_ = Model::Drawn;
+        draw_first(painter);
     } else {
         paint_similar(1, painter);
     }
+}
+
+/// Nobody sees it yet, so it may be waited for: a model that is slow to draw is a draft from its first turn on.
+void DetailView::draw_first(ui::Painter& painter) {
+    const auto start = std::chrono::steady_clock::now();
+    draw_stage(painter);
+    ui::finish();
+    const auto took = std::chrono::steady_clock::now() - start;
+    if (took > std::chrono::microseconds(kSlowFrame_us)) slow_frames_ = std::max(slow_frames_, kSlowEnough);
+    model_ = Model::Drawn;
 }
 
 void DetailView::resize(ui::SizePx screen, ui::Hand hand, ui::Painter& painter) {

@@ -78,6 +78,7 @@ class DetailView {
     void take_model(PreparedDetail ready);
     void upload_model();
     void draw_stage(ui::Painter& painter);
+    void draw_first(ui::Painter& painter);
     [[nodiscard]] ui::Rect still_rect(double opened) const;
     [[nodiscard]] double still_opacity(std::int64_t now_us) const;
     void lay_out(ui::Painter& painter);
