@@ -159,8 +159,8 @@ TriangleMesh dog_head_in_profile(double muzzle, double ear, Rgb coat, Rgb ear_co
     b.egg({0, 0, 0}, {0.34, 0.31, 0.22}, coat)
         .limb({0.15, -0.06, 0}, {0.28 + muzzle, -0.14, 0}, 0.19, 0.13, light)
         .limb({-0.1, -0.1, 0}, {-0.18, -0.5, 0}, 0.22, 0.26, coat);
-    b.blending(0.02).limb_pair({-0.14, 0.22, 0.16}, {-0.36, -0.02, 0.2}, 0.07, 0.1, ear_colour);
-    b.limb_pair({-0.36, -0.02, 0.2}, {-0.46, -ear, 0.2}, 0.1, 0.1, ear_colour);
+    b.blending(0.02).limb_pair({-0.06, 0.2, 0.17}, {-0.22, -0.04, 0.23}, 0.07, 0.1, ear_colour);
+    b.limb_pair({-0.22, -0.04, 0.23}, {-0.34, -ear, 0.25}, 0.1, 0.11, ear_colour);
     Assembly a;
     a.add(b.mesh(46))
         .pair(ball({0.16, 0.1, 0.17}, 0.04, kInk, 8))
@@ -198,8 +198,8 @@ void add_more_dogs(Models& models) {
     setter.height = 0.34;
     setter.ear_length = 0.7;
     setter.ear_width = 0.1;
-    setter.ear_place = 34;
-    setter.ear_lean = 62;
+    setter.ear_place = 36;
+    setter.ear_lean = 90;
     setter.coat = kSand;
     setter.inner_ear = kWalnut;
     add_model(models, "dog", "Setter's face", animal_face(setter));

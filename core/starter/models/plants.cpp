@@ -283,6 +283,12 @@ void add_fruit(Models& models) {
     add_model(models, "apple", "Wide apple",
               fruit_body({{0, 0.06}, {0.2, 0.0}, {0.48, 0.2}, {0.56, 0.5}, {0.42, 0.74}, {0.2, 0.78}, {0, 0.6}}, kCoral,
                          kStraw, 0.34, false));
+    add_model(models, "apple", "Heart-shaped apple",
+              fruit_body({{0, 0.03}, {0.1, 0.0}, {0.28, 0.2}, {0.47, 0.58}, {0.42, 0.82}, {0.22, 0.88}, {0, 0.72}},
+                         kRed, kCoral, 0.32, true));
+    add_model(models, "apple", "Yellow apple",
+              fruit_body({{0, 0.03}, {0.16, 0.0}, {0.4, 0.16}, {0.47, 0.44}, {0.38, 0.74}, {0.18, 0.84}, {0, 0.76}},
+                         kMustard, kCoral, 0.22, false));
     add_model(models, "apple", "Crab apple",
               fruit_body({{0, 0.03}, {0.14, 0.0}, {0.36, 0.22}, {0.42, 0.46}, {0.32, 0.68}, {0.14, 0.7}, {0, 0.62}},
                          kMustard, kRed, 0.44, true));

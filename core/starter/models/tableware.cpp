@@ -249,6 +249,9 @@ void add_glasses(Models& models) {
     add_model(models, "wine bottle", "Hock bottle", bottle(0.22, 0.7, 0.6, 0.3, kTeal, kWhite, kNavy));
     add_model(models, "wine bottle", "Stout bottle", bottle(0.36, 0.62, 0.2, 0.28, kChestnut, kMustard, kInk));
     add_model(models, "wine bottle", "Round flask", bottle(0.42, 0.42, 0.3, 0.36, kLeaf, kCream, kWalnut));
+    add_model(models, "wine bottle", "Broad bottle", bottle(0.46, 0.62, 0.3, 0.34, kForest, kSand, kRed));
+    add_model(models, "wine bottle", "Long-necked bottle", bottle(0.26, 0.56, 0.2, 0.56, kNavy, kSky, kBrass));
+    add_model(models, "wine bottle", "Magnum", bottle(0.36, 0.74, 0.18, 0.3, kOlive, kCream, kInk));
 }
 
 void add_cutlery(Models& models) {
