@@ -43,6 +43,12 @@ void add_ear(Blob& head, Assembly& details, const Face& f, double side) {
             head.limb(root, root + along * (0.35 * f.ear_length), w * 0.7, w, f.inner_ear)
                 .limb(root + along * (0.35 * f.ear_length), tip, w, w * 0.8, f.inner_ear);
             break;
+        case FaceEar::Draped: {
+            const Vec3 bend = root + along * (0.3 * f.ear_length),
+                       end = bend + Vec3{side * 0.12, -0.7, 0} * f.ear_length;
+            head.limb(root, bend, w * 0.7, w * 0.85, f.inner_ear).limb(bend, end, w * 0.85, w, f.inner_ear);
+            break;
+        }
     }
 }
 

@@ -7,7 +7,8 @@
 
 namespace core::starter {
 
-enum class FaceEar { Pointed, Round, Long, Hanging };
+/// A draped ear leaves the crown sideways and hangs from there, apart from the cheek.
+enum class FaceEar { Pointed, Round, Long, Hanging, Draped };
 
 /// Lengths in units of a head about 1 wide; angles in degrees.
 struct Face {

@@ -153,6 +153,22 @@ TriangleMesh trousers(const Trousers& t) {
 
 void add_trousers(Models& models) {
     add_model(models, "pants", "Jeans", trousers({}));
+    add_model(models, "pants", "Short trousers",
+              trousers({.waist = 0.36,
+                        .length = 0.6,
+                        .crotch = 0.24,
+                        .leg = 0.27,
+                        .splay = 0.1,
+                        .cloth = kLeaf,
+                        .trim = kForest}));
+    add_model(models, "pants", "Marching trousers",
+              trousers({.waist = 0.26,
+                        .length = 0.9,
+                        .crotch = 0.22,
+                        .leg = 0.22,
+                        .splay = 0.26,
+                        .cloth = kBrick,
+                        .trim = kStraw}));
     add_model(
         models, "pants", "Flared trousers",
         trousers(

@@ -132,6 +132,111 @@ void add_dogs(Models& models) {
     add_model(models, "dog", "Sitting puppy", animal_face(puppy));
 }
 
+/// A dog on its haunches, seen from the side.
+TriangleMesh sitting_dog(Rgb coat, Rgb ear, Rgb light) {
+    Blob b(0.07);
+    b.limb({-0.2, 0.24, 0}, {0.1, 0.68, 0}, 0.22, 0.15, coat)
+        .egg_pair({-0.1, 0.17, 0.14}, {0.21, 0.17, 0.1}, coat, 15)
+        .limb({0.1, 0.68, 0}, {0.14, 0.9, 0}, 0.13, 0.12, coat)
+        .egg({0.18, 1.0, 0}, {0.19, 0.17, 0.16}, coat)
+        .limb({0.26, 0.95, 0}, {0.5, 0.9, 0}, 0.1, 0.075, light);
+    b.blending(0.03)
+        .limb_pair({0.14, 0.55, 0.08}, {0.2, 0.06, 0.1}, 0.075, 0.055, coat)
+        .limb_pair({0.2, 0.05, 0.1}, {0.3, 0.05, 0.1}, 0.055, 0.05, light)
+        .limb_pair({-0.08, 0.05, 0.17}, {0.08, 0.05, 0.18}, 0.06, 0.055, light);
+    Assembly a;
+    a.add(b.mesh(46))
+        .pair(ear_shape({0.08, 1.1, 0.14}, {-0.12, -0.34, 0.06}, 0.085, 0.035, Ear::Floppy, ear))
+        .pair(ball({0.3, 1.06, 0.12}, 0.026, kInk, 8))
+        .add(ball({0.57, 0.93, 0}, 0.04, kInk, 8))
+        .add(tube({{{-0.32, 0.16, 0}, 0.05}, {{-0.52, 0.18, 0}, 0.045}, {{-0.66, 0.34, 0}, 0.025}}, coat));
+    return facing_front(a.mesh());
+}
+
+/// A dog's head from the side: a long muzzle, and the ear hanging behind the cheek.
+TriangleMesh dog_head_in_profile(double muzzle, double ear, Rgb coat, Rgb ear_colour, Rgb light) {
+    Blob b(0.07);
+    b.egg({0, 0, 0}, {0.34, 0.31, 0.22}, coat)
+        .limb({0.15, -0.06, 0}, {0.28 + muzzle, -0.14, 0}, 0.19, 0.13, light)
+        .limb({-0.1, -0.1, 0}, {-0.18, -0.5, 0}, 0.22, 0.26, coat);
+    b.blending(0.02).limb_pair({-0.06, 0.2, 0.17}, {-0.22, -0.04, 0.23}, 0.07, 0.1, ear_colour);
+    b.limb_pair({-0.22, -0.04, 0.23}, {-0.34, -ear, 0.25}, 0.1, 0.11, ear_colour);
+    Assembly a;
+    a.add(b.mesh(46))
+        .pair(ball({0.16, 0.1, 0.17}, 0.04, kInk, 8))
+        .add(ball({0.38 + muzzle, -0.06, 0}, 0.065, kInk, 10))
+        .add(ring({-0.2, -0.5, 0}, {0, 1, 0}, 0.25, 0.03, kRed, 30));
+    return facing_front(a.mesh());
+}
+
+/// Faces whose ears come from the crown, as people draw a dog, and dogs that sit.
+void add_more_dogs(Models& models) {
+    const Face beagle{.width = 0.34,
+                      .height = 0.42,
+                      .ear = FaceEar::Draped,
+                      .ear_length = 0.62,
+                      .ear_width = 0.11,
+                      .ear_place = 36,
+                      .ear_lean = 76,
+                      .muzzle = 0.17,
+                      .coat = kWhite,
+                      .inner_ear = kHoney,
+                      .nose = kInk};
+    add_model(models, "dog", "Beagle's face", animal_face(beagle));
+    Face hound = beagle;
+    hound.chin = 0.12;
+    hound.ear_length = 0.78;
+    hound.ear_width = 0.12;
+    hound.ear_place = 44;
+    hound.ear_lean = 104;
+    hound.coat = kChestnut;
+    hound.light = kTan;
+    hound.inner_ear = kCocoa;
+    add_model(models, "dog", "Bloodhound's face", animal_face(hound));
+    Face setter = beagle;
+    setter.width = 0.3;
+    setter.height = 0.34;
+    setter.ear_length = 0.7;
+    setter.ear_width = 0.1;
+    setter.ear_place = 36;
+    setter.ear_lean = 90;
+    setter.coat = kSand;
+    setter.inner_ear = kWalnut;
+    add_model(models, "dog", "Setter's face", animal_face(setter));
+    add_model(models, "dog", "Sitting dog", sitting_dog(kTan, kWalnut, kCream));
+    add_model(models, "dog", "Hound's head", dog_head_in_profile(0.34, 0.5, kHoney, kWalnut, kCream));
+    Quadruped stout = dog_shape();
+    stout.length = 0.66;
+    stout.shoulder = stout.hip = 0.46;
+    stout.chest = stout.belly = stout.rump = 0.2;
+    stout.thigh = 0.09;
+    stout.ankle = 0.07;
+    stout.foot = 0.08;
+    stout.neck_length = 0.18;
+    stout.neck_base = 0.16;
+    stout.neck_top = 0.15;
+    stout.skull = 0.19;
+    stout.ear_length = 0.3;
+    stout.ear_width = 0.09;
+    stout.tail = {{{0.02, 0.04, 0}, 0.04}, {{-0.08, 0.16, 0}, 0.04}, {{-0.1, 0.3, 0}, 0.02}};
+    stout.tint(kWhite);
+    stout.ear_colour = kInk;
+    stout.foot_colour = stout.muzzle_colour = kCream;
+    add_model(models, "dog", "Stout puppy", facing_front(quadruped(stout).mesh(48)));
+    Quadruped corgi = stout;
+    corgi.length = 0.84;
+    corgi.shoulder = corgi.hip = 0.4;
+    corgi.chest = corgi.belly = corgi.rump = 0.17;
+    corgi.ear = Ear::Pointed;
+    corgi.ear_length = 0.24;
+    corgi.ear_width = 0.075;
+    corgi.neck_length = 0.24;
+    corgi.tint(kOrange);
+    corgi.foot_colour = corgi.muzzle_colour = kWhite;
+    corgi.tail = {{{0.02, 0.04, 0}, 0.05}, {{-0.14, 0.1, 0}, 0.05}, {{-0.26, 0.22, 0}, 0.02}};
+    add_model(models, "dog", "Corgi", facing_front(quadruped(corgi).mesh(48)));
+}
+
 Quadruped cat_shape() {
     Quadruped q = dog_shape();
     q.length = 0.6;
@@ -258,6 +363,7 @@ void add_cats(Models& models) {
 
 void add_dogs_and_cats(Models& models) {
     add_dogs(models);
+    add_more_dogs(models);
     add_cats(models);
 }
 

@@ -20,11 +20,12 @@ struct Waterfowl {
     bool curved = false;  ///< a goose's S
     Rgb feathers = kWhite, head_colour = kGreen, bill_colour = kMustard, wing = kStone;
     bool standing = false;
+    double leg = 0.22;  ///< of one that stands
 };
 
 TriangleMesh waterfowl(const Waterfowl& w) {
     Blob b(0.07);
-    const double lift = w.standing ? 0.22 : 0.0, r = w.body;
+    const double lift = w.standing ? w.leg : 0.0, r = w.body;
     const Vec3 middle{0, lift + r * 0.5, 0}, root{r * 0.72, lift + r * 0.62, 0};
     b.egg(middle, {r * 1.1, r * 0.56, r * 0.62}, w.feathers, 6)
         .limb(middle + Vec3{-r * 0.8, r * 0.15, 0}, middle + Vec3{-r * 1.05 - w.tail, r * 0.42 + w.tail * 0.5, 0},
@@ -106,6 +107,59 @@ void add_waterfowl(Models& models) {
                          .standing = true}));
 }
 
+void add_more_ducks(Models& models) {
+    add_model(models, "duck", "Running duck",
+              waterfowl({.body = 0.38,
+                         .neck = 0.46,
+                         .lean = 0.06,
+                         .head = 0.15,
+                         .bill = 0.18,
+                         .tail = 0.12,
+                         .feathers = kCream,
+                         .head_colour = kTan,
+                         .bill_colour = kOrange,
+                         .wing = kTan,
+                         .standing = true,
+                         .leg = 0.34}));
+    add_model(models, "duck", "Pond duck",
+              waterfowl({.body = 0.46,
+                         .neck = 0.34,
+                         .lean = -0.02,
+                         .head = 0.14,
+                         .bill = 0.2,
+                         .tail = 0.24,
+                         .feathers = kWhite,
+                         .head_colour = kWhite,
+                         .bill_colour = kMustard,
+                         .wing = kIvory}));
+}
+
+/// A flamingo as it is drawn in a few lines: an egg, a neck with hardly a bend, two straight legs side by side.
+TriangleMesh plain_flamingo(Vec3 body, double leg, double neck, double lean, Rgb pink) {
+    Blob b(0.04);
+    const Vec3 middle{0, leg + body.y * 0.9, 0}, root = middle + Vec3{body.x * 0.75, body.y * 0.45, 0};
+    const Vec3 head = root + Vec3{lean, neck, 0};
+    b.egg(middle, {body.x, body.y, body.z}, pink, 14)
+        .chain({{root + Vec3{-0.06, -0.08, 0}, 0.08},
+                {root + Vec3{lean * 0.2 + 0.05, neck * 0.4, 0}, 0.055},
+                {root + Vec3{lean * 0.7, neck * 0.8, 0}, 0.05},
+                {head, 0.055}},
+               pink)
+        .egg(head + Vec3{0.03, 0.01, 0}, {0.105, 0.085, 0.08}, pink);
+    Assembly a;
+    a.add(b.mesh(58))
+        .add(tube(
+            {{head + Vec3{0.1, 0, 0}, 0.05}, {head + Vec3{0.2, -0.03, 0}, 0.04}, {head + Vec3{0.26, -0.13, 0}, 0.014}},
+            kInk))
+        .pair(ball(head + Vec3{0.05, 0.03, 0.068}, 0.02, kInk, 8))
+        .pair(folded_wing(middle + Vec3{body.x * 0.45, body.y * 0.2, body.z * 0.9}, body.x * 1.5, body.y * 0.5,
+                          darker(pink, 0.1), -14));
+    for (const double side : {1.0, -1.0})
+        a.add(rod({side * 0.08, leg + 0.04, side * 0.05}, {side * 0.08, 0.02, side * 0.05}, 0.022, kRose))
+            .add(ball({side * 0.08 + 0.04, 0.02, side * 0.05}, {0.08, 0.02, 0.05}, kRose, 8));
+    return facing_front(a.mesh());
+}
+
 TriangleMesh flamingo(double leg, double neck, bool one_leg, bool feeding, Rgb pink) {
     Blob b(0.06);
     const Vec3 middle{0, leg + 0.16, 0}, root{0.24, leg + 0.22, 0};
@@ -156,12 +210,16 @@ void add_flamingos(Models& models) {
     add_model(models, "flamingo", "Feeding flamingo", flamingo(0.66, 0.7, false, true, kRose));
     add_model(models, "flamingo", "Tall flamingo", flamingo(0.95, 0.7, false, false, mixed(kPink, kCoral, 0.4)));
     add_model(models, "flamingo", "Young flamingo", flamingo(0.55, 0.45, false, false, lighter(kPink)));
+    add_model(models, "flamingo", "Round flamingo", plain_flamingo({0.24, 0.22, 0.16}, 0.5, 0.5, 0.12, kRose));
+    add_model(models, "flamingo", "Leaning flamingo",
+              plain_flamingo({0.36, 0.2, 0.16}, 0.5, 0.52, 0.3, mixed(kPink, kRose, 0.5)));
 }
 
 }  // namespace
 
 void add_ducks_and_flamingos(Models& models) {
     add_waterfowl(models);
+    add_more_ducks(models);
     add_flamingos(models);
 }
 

@@ -94,6 +94,31 @@ TriangleMesh office_chair() {
     return facing_front(a.mesh());
 }
 
+/// Wider than deep, for those who draw a chair from the front: the back's board, the seat's edge, two legs.
+TriangleMesh front_chair(double width, double seat, double back, double board, Rgb wood, Rgb cushion) {
+    Assembly a;
+    const double x = width / 2, deep = 0.13, post = 0.05;
+    a.add(box({0, seat, 0}, {width + 0.1, 0.09, 2 * deep + 0.08}, 0.03, wood))
+        .add(box({0, seat + 0.05, 0.02}, {width, 0.06, 2 * deep}, 0.025, cushion));
+    for (const double side : {1.0, -1.0})
+        a.pair(rod({side * x, 0, deep}, {side * x, seat, deep}, post, wood, Cap::Flat))
+            .add(rod({side * x * 0.95, seat, -deep}, {side * x, seat + back, -deep}, post, wood));
+    a.add(box({0, seat + back - board / 2, -deep}, {width, board, 0.06}, 0.025, cushion));
+    return a.mesh();
+}
+
+/// From the side a thick L on thin legs.
+TriangleMesh padded_chair(double depth, double seat, double back, double pad, Rgb cloth, Rgb wood) {
+    Assembly a;
+    const double x = depth / 2;
+    a.add(box({0, seat, 0}, {depth + pad, pad, 0.4}, pad * 0.42, cloth))
+        .add(moved(turned_z(box({0, back / 2, 0}, {pad, back, 0.4}, pad * 0.42, lighter(cloth, 0.12)), 5),
+                   {-x, seat - pad * 0.3, 0}));
+    for (const double side : {1.0, -1.0})
+        a.pair(rod({side * (x + 0.03), 0, 0.15}, {side * (x - 0.03), seat, 0.15}, 0.028, wood, Cap::Flat));
+    return facing_front(a.mesh());
+}
+
 void add_chairs(Models& models) {
     add_model(models, "chair", "Kitchen chair", side_chair({}));
     add_model(models, "chair", "Ladder-back chair",
@@ -136,6 +161,11 @@ void add_chairs(Models& models) {
                            .thick = 0.045,
                            .wood = kBrick,
                            .cushion = kStraw}));
+    add_model(models, "chair", "Padded chair", padded_chair(0.5, 0.42, 0.56, 0.16, kBlue, kInk));
+    add_model(models, "chair", "Reading chair", padded_chair(0.62, 0.34, 0.6, 0.2, kWine, kBrass));
+    add_model(models, "chair", "School chair", front_chair(0.46, 0.46, 0.5, 0.3, kSlate, kOrange));
+    add_model(models, "chair", "Dining chair", front_chair(0.4, 0.44, 0.66, 0.52, kWalnut, kTeal));
+    add_model(models, "chair", "Broad chair", front_chair(0.56, 0.36, 0.44, 0.36, kHoney, kRose));
 }
 
 TriangleMesh four_leg_table(double length, double width, double height, double leg, double splay, Rgb top, Rgb legs) {
@@ -315,12 +345,28 @@ TriangleMesh couch(int seats, double back, double arm, Rgb cloth, Rgb legs, doub
     return scaled(a.mesh(), {1.0, 1.0, 0.5});  // shallow: people draw it from the front
 }
 
+/// Plump and rounded: arms like bolsters at the foot of a back that is narrower than both.
+TriangleMesh plump_couch(double width, double back, double arm, Rgb cloth) {
+    Assembly a;
+    const double x = width / 2;
+    a.add(box({0, 0.08 + back / 2, -0.12}, {width, back, 0.26}, 0.12, cloth))
+        .add(box({0, 0.24, 0.06}, {width, 0.36, 0.5}, 0.08, lighter(cloth, 0.12)))
+        .add(box({0, 0.44, 0.1}, {width - 0.06, 0.14, 0.46}, 0.06, lighter(cloth, 0.25)));
+    a.pair_x(box({x + arm * 0.3, 0.05 + arm, 0.05}, {arm * 1.7, arm * 2, 0.56}, arm * 0.8, cloth));
+    for (const double side : {1.0, -1.0})
+        a.pair(rod({side * x * 0.9, 0, 0.2}, {side * x * 0.9, 0.1, 0.2}, 0.04, kWalnut));
+    return scaled(a.mesh(), {1.0, 1.0, 0.7});
+}
+
 void add_couches(Models& models) {
     add_model(models, "couch", "Couch", couch(2, 0.66, 0.54, kTeal, kWalnut, 0.12));
     add_model(models, "couch", "Love seat", couch(2, 0.56, 0.5, kRose, kWood, 0.1));
     add_model(models, "couch", "Long sofa", couch(3, 0.6, 0.46, kStone, kInk, 0.1));
     add_model(models, "couch", "High-backed settee", couch(2, 0.8, 0.6, kMustard, kWalnut, 0.14));
     add_model(models, "couch", "Lounge sofa", couch(3, 0.66, 0.62, kNavy, kBrass, 0.16));
+    add_model(models, "couch", "Plump couch", plump_couch(1.1, 0.86, 0.24, kCoral));
+    add_model(models, "couch", "Armchair", plump_couch(0.72, 0.84, 0.24, kLeaf));
+    add_model(models, "couch", "Low lounge couch", plump_couch(1.5, 0.7, 0.19, kPlum));
 }
 
 }  // namespace

@@ -122,6 +122,45 @@ void add_horses(Models& models) {
         {{0.03, 0.02, 0}, 0.035}, {{-0.18, 0.1, 0}, 0.05}, {{-0.42, 0.02, 0}, 0.055}, {{-0.6, -0.14, 0}, 0.015}};
     racer.tint(kBrick);
     add_model(models, "horse", "Galloping horse", make_horse(racer, kInk));
+
+    Quadruped toy = q;
+    toy.length = 0.86;
+    toy.shoulder = toy.hip = 0.66;
+    toy.chest = toy.belly = toy.rump = 0.2;
+    toy.sag = 0.0;
+    toy.thigh = 0.075;
+    toy.ankle = toy.foot = 0.06;
+    toy.stride = 0.1;
+    toy.neck_angle = 58;
+    toy.neck_length = 0.4;
+    toy.neck_base = 0.16;
+    toy.neck_top = 0.12;
+    toy.skull = 0.12;
+    toy.muzzle = 0.09;
+    toy.head_length = 0.3;
+    toy.head_angle = 22;
+    toy.tail = {{{0.03, 0.04, 0}, 0.05}, {{-0.14, 0.02, 0}, 0.06}, {{-0.22, -0.24, 0}, 0.07}, {{-0.24, -0.5, 0}, 0.04}};
+    toy.tint(kWood);
+    add_model(models, "horse", "Toy horse", make_horse(toy, kCream));
+
+    Quadruped slim = toy;
+    slim.length = 1.0;
+    slim.shoulder = slim.hip = 0.78;
+    slim.chest = slim.belly = slim.rump = 0.16;
+    slim.thigh = 0.055;
+    slim.ankle = slim.foot = 0.045;
+    slim.stride = 0.12;
+    slim.neck_angle = 44;
+    slim.neck_base = 0.12;
+    slim.neck_top = 0.08;
+    slim.skull = 0.1;
+    slim.muzzle = 0.065;
+    slim.head_length = 0.34;
+    slim.head_angle = 30;
+    slim.tail = {
+        {{0.03, 0.04, 0}, 0.03}, {{-0.2, 0.08, 0}, 0.05}, {{-0.38, -0.16, 0}, 0.06}, {{-0.42, -0.46, 0}, 0.02}};
+    slim.tint(kWhite);
+    add_model(models, "horse", "White mare", make_horse(slim, kStone));
 }
 
 struct Trunk {
@@ -240,11 +279,84 @@ void add_elephants(Models& models) {
             0.28, kStone));
 }
 
+/// An elephant's face: two ears as large as the head, and the trunk between them. `swing` is how far the trunk curls
+/// aside.
+TriangleMesh elephant_face(double ear, double trunk, double swing, Rgb coat, Rgb inner_ear) {
+    Blob b(0.06);
+    b.egg({0, 0, 0}, {0.36, 0.4, 0.24}, coat);
+    for (const double side : {1.0, -1.0})
+        b.egg({side * (0.3 + ear * 0.75), 0.04, -0.04}, {ear * 0.85, ear * 1.15, 0.09}, coat, side * 14)
+            .egg({side * (0.32 + ear * 0.75), 0.02, 0.02}, {ear * 0.6, ear * 0.85, 0.06}, inner_ear, side * 14);
+    b.blending(0.04).chain({{{0, -0.1, 0.16}, 0.15},
+                            {{0, -0.4, 0.2}, 0.12},
+                            {{swing * 0.15, -0.4 - trunk * 0.5, 0.2}, 0.1},
+                            {{swing * 0.5, -0.4 - trunk, 0.2}, 0.085},
+                            {{swing, -0.36 - trunk * 0.95, 0.2}, 0.075}},
+                           coat);
+    Assembly a;
+    a.add(b.mesh(50));
+    a.pair_x(ball({0.16, 0.1, 0.22}, {0.045, 0.06, 0.03}, kInk, 8))
+        .pair_x(tube({{{0.16, -0.24, 0.16}, 0.04}, {{0.24, -0.46, 0.22}, 0.03}, {{0.3, -0.56, 0.26}, 0.01}}, kCream));
+    return scaled(a.mesh(), {1.0, 1.0, 0.65});
+}
+
+/// A toy elephant: the head as big as the body, no tusks, and legs like posts.
+Quadruped toy_elephant() {
+    Quadruped q;
+    q.length = 0.62;
+    q.shoulder = 0.5;
+    q.hip = 0.46;
+    q.chest = q.belly = 0.23;
+    q.rump = 0.21;
+    q.thigh = q.ankle = 0.085;
+    q.foot = 0.095;
+    q.stride = 0.06;
+    q.spread = 0.13;
+    q.neck_angle = 38;
+    q.neck_length = 0.3;
+    q.neck_base = q.neck_top = 0.18;
+    q.skull = 0.27;
+    q.muzzle = 0.1;
+    q.head_length = 0.2;
+    q.head_angle = 60;
+    q.ear = Ear::None;
+    q.eye = 0.03;
+    q.tint(mixed(kBlue, kStone, 0.55));
+    q.foot_colour = kCream;
+    q.tail = {{{0.05, 0.0, 0}, 0.03}, {{-0.12, 0.04, 0}, 0.025}, {{-0.2, 0.16, 0}, 0.03}};
+    return q;
+}
+
+void add_more_elephants(Models& models) {
+    add_model(models, "elephant", "Elephant's face", elephant_face(0.42, 0.5, 0.0, mixed(kGrey, kSky, 0.25), kRose));
+    add_model(models, "elephant", "Elephant's face, trunk aside",
+              elephant_face(0.34, 0.34, 0.34, mixed(kStone, kLilac, 0.3), kPink));
+    const Trunk forward{{{{0.18, -0.12, 0}, 0.11},
+                         {{0.36, -0.3, 0}, 0.085},
+                         {{0.56, -0.36, 0}, 0.07},
+                         {{0.76, -0.24, 0}, 0.06},
+                         {{0.84, -0.06, 0}, 0.055}},
+                        0.0};
+    add_model(models, "elephant", "Toy elephant", make_elephant(toy_elephant(), forward, 0.3, kRose));
+    Quadruped bulky = toy_elephant();
+    bulky.length = 0.84;
+    bulky.shoulder = bulky.hip = 0.62;
+    bulky.chest = bulky.belly = bulky.rump = 0.3;
+    bulky.stride = 0.09;
+    bulky.skull = 0.23;
+    bulky.neck_angle = 24;
+    bulky.tint(mixed(kGrey, kWalnut, 0.25));
+    const Trunk down{
+        {{{0.16, -0.1, 0}, 0.12}, {{0.26, -0.34, 0}, 0.1}, {{0.25, -0.52, 0}, 0.085}, {{0.32, -0.62, 0}, 0.075}}, 0.0};
+    add_model(models, "elephant", "Bulky elephant", make_elephant(bulky, down, 0.36, kStone));
+}
+
 }  // namespace
 
 void add_horses_and_elephants(Models& models) {
     add_horses(models);
     add_elephants(models);
+    add_more_elephants(models);
 }
 
 }  // namespace core::starter

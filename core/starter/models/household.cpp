@@ -101,6 +101,8 @@ void add_things(Models& models) {
     add_model(models, "ice cream", "Triple scoop", ice_cream(3, {kCream, kPink, kMint}, 1.05, 0.3, true));
     add_model(models, "ice cream", "Single scoop", ice_cream(1, {kCream, kPink, kMint}, 0.8, 0.38, false));
     add_model(models, "ice cream", "Chocolate cone", ice_cream(1, {kCocoa, kPink, kMint}, 1.1, 0.36, false));
+    add_model(models, "ice cream", "Vanilla cone", ice_cream(1, {kIvory, kPink, kMint}, 1.2, 0.3, false));
+    add_model(models, "ice cream", "Lemon cone", ice_cream(1, {kStraw, kPink, kMint}, 0.72, 0.44, true));
     add_model(models, "teddy-bear", "Teddy bear", teddy(0.3, 0.27, 0.12, kHoney, kCream, kRed));
     add_model(models, "teddy-bear", "Chubby teddy", teddy(0.38, 0.28, 0.1, kWalnut, kSand, kTeal));
     add_model(models, "teddy-bear", "Big-eared teddy", teddy(0.26, 0.3, 0.17, kStone, kPink, kPlum));

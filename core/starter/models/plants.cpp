@@ -31,17 +31,30 @@ struct LeafyTree {
     double clump = 0.3;  ///< radius
     Rgb leaf = kGreen, bark = kWalnut;
     bool fruit = false;
+    double spread = 0.0;  ///< above 0: two slim stems, their feet so far from the middle
 };
+
+/// The trunk, up to the middle of the crown; two stems that part towards the ground where the tree has a spread.
+void add_trunk(Assembly& a, const LeafyTree& t, Vec3 middle) {
+    if (t.spread > 0)
+        a.pair_x(tube({{{t.spread, 0, 0}, t.r * t.foot},
+                       {{t.spread * 0.62, t.trunk * 0.3, 0}, t.r},
+                       {{t.spread * 0.5, t.trunk, 0}, t.r},
+                       {middle + Vec3{t.spread * 0.4, 0, 0}, t.r * 0.8}},
+                      t.bark, {.cap = Cap::Flat}));
+    else
+        a.add(tube({{{0, 0, 0}, t.r * t.foot},
+                    {{0, t.trunk * 0.12, 0}, t.r * (0.5 + 0.5 * t.foot)},
+                    {{0, t.trunk * 0.5, 0}, t.r},
+                    {middle, t.r * 0.8}},
+                   t.bark, {.cap = Cap::Flat}));
+}
 
 /// Flat, its crown a ring of clumps like the cloud that people draw.
 TriangleMesh leafy_tree(const LeafyTree& t) {
     Assembly a;
     const Vec3 middle{0, t.trunk + t.height * 0.9, 0};
-    a.add(tube({{{0, 0, 0}, t.r * t.foot},
-                {{0, t.trunk * 0.12, 0}, t.r * (0.5 + 0.5 * t.foot)},
-                {{0, t.trunk * 0.5, 0}, t.r},
-                {middle, t.r * 0.8}},
-               t.bark, {.cap = Cap::Flat}));
+    add_trunk(a, t, middle);
     Blob crown(0.06);
     crown.egg(middle, {t.width * 0.85, t.height * 0.85, t.clump}, t.leaf);
     for (int k = 0; k < t.clumps; ++k) {
@@ -115,6 +128,59 @@ void add_trees(Models& models) {
                           .clumps = 8,
                           .clump = 0.3,
                           .leaf = kForest}));
+    add_model(models, "tree", "Birch with two stems",
+              leafy_tree({.trunk = 0.85,
+                          .r = 0.035,
+                          .foot = 1.3,
+                          .width = 0.44,
+                          .height = 0.3,
+                          .clumps = 6,
+                          .clump = 0.2,
+                          .leaf = kLeaf,
+                          .bark = kIvory,
+                          .spread = 0.24}));
+    add_model(models, "tree", "Olive tree",
+              leafy_tree({.trunk = 0.6,
+                          .r = 0.045,
+                          .foot = 1.5,
+                          .width = 0.6,
+                          .height = 0.26,
+                          .clumps = 7,
+                          .clump = 0.22,
+                          .leaf = kOlive,
+                          .bark = kWood,
+                          .spread = 0.3}));
+    add_model(models, "tree", "Twin maple",
+              leafy_tree({.trunk = 0.62,
+                          .r = 0.035,
+                          .foot = 1.4,
+                          .width = 0.36,
+                          .height = 0.36,
+                          .clumps = 5,
+                          .clump = 0.22,
+                          .leaf = kOrange,
+                          .bark = kWalnut,
+                          .spread = 0.13}));
+    add_model(models, "tree", "Plane tree",
+              leafy_tree({.trunk = 0.55,
+                          .r = 0.13,
+                          .foot = 1.15,
+                          .width = 0.66,
+                          .height = 0.22,
+                          .clumps = 7,
+                          .clump = 0.21,
+                          .leaf = kGreen,
+                          .bark = kTan}));
+    add_model(models, "tree", "Chestnut tree",
+              leafy_tree({.trunk = 0.6,
+                          .r = 0.09,
+                          .foot = 1.2,
+                          .width = 0.4,
+                          .height = 0.4,
+                          .clumps = 11,
+                          .clump = 0.16,
+                          .leaf = kForest,
+                          .bark = kChestnut}));
     add_model(models, "tree", "Fir tree", scaled(fir(4, 1.6, 0.55, kForest, false), {1.0, 1.0, 0.6}));
     add_model(models, "tree", "Snowy fir", scaled(fir(3, 1.2, 0.6, kGreen, true), {1.0, 1.0, 0.6}));
 }
@@ -217,6 +283,12 @@ void add_fruit(Models& models) {
     add_model(models, "apple", "Wide apple",
               fruit_body({{0, 0.06}, {0.2, 0.0}, {0.48, 0.2}, {0.56, 0.5}, {0.42, 0.74}, {0.2, 0.78}, {0, 0.6}}, kCoral,
                          kStraw, 0.34, false));
+    add_model(models, "apple", "Heart-shaped apple",
+              fruit_body({{0, 0.03}, {0.1, 0.0}, {0.28, 0.2}, {0.47, 0.58}, {0.42, 0.82}, {0.22, 0.88}, {0, 0.72}},
+                         kRed, kCoral, 0.32, true));
+    add_model(models, "apple", "Yellow apple",
+              fruit_body({{0, 0.03}, {0.16, 0.0}, {0.4, 0.16}, {0.47, 0.44}, {0.38, 0.74}, {0.18, 0.84}, {0, 0.76}},
+                         kMustard, kCoral, 0.22, false));
     add_model(models, "apple", "Crab apple",
               fruit_body({{0, 0.03}, {0.14, 0.0}, {0.36, 0.22}, {0.42, 0.46}, {0.32, 0.68}, {0.14, 0.7}, {0, 0.62}},
                          kMustard, kRed, 0.44, true));

@@ -33,6 +33,46 @@ TriangleMesh rabbit(double body, double ear, double lean, Rgb coat, Rgb light) {
     return facing_front(a.mesh());
 }
 
+/// A rabbit's head from the side, its ears laid back or up.
+TriangleMesh rabbit_head(double back, Rgb coat, Rgb light) {
+    Blob b(0.06);
+    b.egg({0, 0, 0}, {0.34, 0.27, 0.2}, coat, -12).limb({0.12, -0.04, 0}, {0.34, -0.1, 0}, 0.16, 0.11, coat);
+    b.egg({0.36, -0.12, 0}, {0.1, 0.09, 0.1}, light);
+    Assembly a;
+    for (const double side : {1.0, -1.0})
+        a.add(tube({{{-0.14, 0.16, 0.08 * side}, 0.06, 0.04},
+                    {{-0.18 - back * (0.4 + 0.12 * side), 0.52, 0.12 * side}, 0.11, 0.05},
+                    {{-0.22 - back * (1.0 + 0.3 * side), 0.92, 0.14 * side}, 0.03, 0.02}},
+                   side > 0 ? coat : darker(coat, 0.1)));
+    a.add(b.mesh(42)).pair(ball({0.12, 0.06, 0.17}, 0.04, kInk, 8)).add(ball({0.46, -0.1, 0}, 0.035, kRose, 8));
+    return facing_front(a.mesh());
+}
+
+/// A rabbit that stands upright and looks at the viewer: a head on a rounder body.
+TriangleMesh upright_rabbit(double belly, double ear_lean, Rgb coat, Rgb light) {
+    const Face face{.width = 0.27,
+                    .height = 0.24,
+                    .depth = 0.22,
+                    .ear = FaceEar::Long,
+                    .ear_length = 0.52,
+                    .ear_width = 0.085,
+                    .ear_place = 28,
+                    .ear_lean = ear_lean,
+                    .muzzle = 0.1,
+                    .coat = coat,
+                    .light = light,
+                    .inner_ear = kPink};
+    Blob b(0.04);
+    b.egg({0, -0.52, 0}, {belly, 0.36, 0.2}, coat).egg({0, -0.54, 0.1}, {belly * 0.6, 0.26, 0.14}, light);
+    b.blending(0.02);
+    for (const double side : {1.0, -1.0})
+        b.egg({side * belly * 0.65, -0.86, 0.06}, {0.15, 0.08, 0.13}, light)
+            .limb({side * belly * 0.8, -0.38, 0.04}, {side * (belly + 0.14), -0.5, 0.08}, 0.07, 0.06, coat);
+    Assembly a;
+    a.add(animal_face(face)).add(scaled(b.mesh(36), {1, 1, 0.7}));
+    return a.mesh();
+}
+
 }  // namespace
 
 void add_rabbits(Models& models) {
@@ -74,6 +114,25 @@ void add_rabbits(Models& models) {
     toy.coat = kCocoa;
     toy.light = kTan;
     add_model(models, "rabbit", "Chocolate rabbit", animal_face(toy));
+    Face apart = face;
+    apart.ear_length = 0.7;
+    apart.ear_width = 0.14;
+    apart.ear_place = 40;
+    apart.ear_lean = 36;
+    apart.coat = kCream;
+    apart.light = kWhite;
+    add_model(models, "rabbit", "Rabbit with ears apart", animal_face(apart));
+    Face slim = face;
+    slim.width = 0.33;
+    slim.height = 0.38;
+    slim.ear_length = 0.82;
+    slim.ear_width = 0.13;
+    slim.ear_place = 30;
+    slim.ear_lean = 6;
+    slim.coat = kGrey;
+    add_model(models, "rabbit", "Long-eared rabbit", animal_face(slim));
+    add_model(models, "rabbit", "Rabbit's head", rabbit_head(0.3, kTan, kCream));
+    add_model(models, "rabbit", "Easter bunny", upright_rabbit(0.34, 22, kHoney, kCream));
 }
 
 }  // namespace core::starter

@@ -69,12 +69,35 @@ void add_mugs(Models& models) {
               mug({{0.2, 0}, {0.34, 0.16}, {0.46, 0.42}, {0.5, 0.6}}, 0.18, 0.5, 0.22, 0.04, kSky, kHoney, 0.5, 0.44));
     add_model(models, "mug", "Espresso cup",
               mug({{0.22, 0}, {0.3, 0.1}, {0.36, 0.4}, {0.38, 0.62}}, 0.16, 0.5, 0.2, 0.042, kWhite, kInk, 0.52, 0.33));
+    add_model(
+        models, "mug", "Straight mug",
+        mug({{0.4, 0}, {0.41, 0.03}, {0.41, 0.5}, {0.41, 0.86}}, 0.34, 0.64, 0.13, 0.05, kLeaf, kCocoa, 0.76, 0.36));
+    add_model(
+        models, "mug", "Broad-based mug",
+        mug({{0.47, 0}, {0.46, 0.05}, {0.4, 0.4}, {0.34, 0.74}}, 0.22, 0.52, 0.15, 0.05, kBlue, kHoney, 0.66, 0.28));
+    add_model(
+        models, "mug", "Square mug",
+        mug({{0.42, 0}, {0.44, 0.03}, {0.44, 0.4}, {0.44, 0.72}}, 0.26, 0.6, 0.14, 0.06, kLilac, kCocoa, 0.64, 0.39));
+    add_model(
+        models, "mug", "Slim mug",
+        mug({{0.29, 0}, {0.3, 0.03}, {0.3, 0.5}, {0.3, 0.98}}, 0.44, 0.72, 0.1, 0.045, kRose, kCocoa, 0.88, 0.25));
+    TriangleMesh cocoa =
+        mug({{0.2, 0}, {0.34, 0.1}, {0.42, 0.36}, {0.43, 0.78}}, 0.24, 0.64, 0.17, 0.05, kBrick, kCocoa, 0.74, 0.38);
+    join(cocoa, scaled(lathe_smooth({{0, 0.72}, {0.38, 0.74}, {0.34, 0.84}, {0.18, 0.9}, {0, 0.91}}, kCream, 32),
+                       {1, 1, 0.75}));
+    add_model(models, "mug", "Cocoa with cream", cocoa);
+    TriangleMesh beer =
+        mug({{0.36, 0}, {0.38, 0.03}, {0.37, 0.5}, {0.36, 1.0}}, 0.26, 0.82, 0.2, 0.06, kMustard, kCream, 0.98, 0.32);
+    join(beer, scaled(lathe_smooth({{0, 0.95}, {0.38, 0.95}, {0.4, 1.03}, {0.26, 1.12}, {0, 1.13}}, kWhite, 32),
+                      {1, 1, 0.75}));
+    add_model(models, "mug", "Beer mug", beer);
 }
 
 struct Teapot {
     std::vector<Point> body{{0.28, 0}, {0.46, 0.14}, {0.52, 0.44}, {0.4, 0.74}, {0.22, 0.84}};
     double spout_low = 0.25, spout_high = 0.84, spout_reach = 0.46;
     bool hoop = false;  ///< a handle over the lid
+    bool bare = false;  ///< no handle, like a lamp that a genie lives in
     Rgb colour = kTeal, accent = kBrass;
 };
 
@@ -104,7 +127,7 @@ TriangleMesh teapot(const Teapot& t) {
                     {{side * 0.72, top + 0.3, 0}, 0.035},
                     {{side * 0.75, top * 0.75, 0}, 0.035}},
                    t.accent, {.steps = 10}));
-    else
+    else if (!t.bare)
         a.add(mirrored_x(handle(side * 0.9, top * 0.28, side * 0.75, top * 0.82, 0.3, 0.05, t.accent)));
     return scaled(a.mesh(), {1.0, 1.0, 0.45});  // flat: spout and handle are what one sees
 }
@@ -147,6 +170,36 @@ void add_teapots(Models& models) {
                       .spout_reach = 0.4,
                       .colour = kCream,
                       .accent = kRose}));
+    add_model(models, "teapot", "Whistling kettle",
+              teapot({.body = {{0.46, 0}, {0.5, 0.05}, {0.46, 0.32}, {0.3, 0.52}, {0.2, 0.56}},
+                      .spout_low = 0.3,
+                      .spout_high = 0.66,
+                      .spout_reach = 0.3,
+                      .hoop = true,
+                      .colour = kSky,
+                      .accent = kInk}));
+    add_model(models, "teapot", "Genie's teapot",
+              teapot({.body = {{0.24, 0}, {0.46, 0.16}, {0.5, 0.36}, {0.38, 0.54}, {0.2, 0.6}},
+                      .spout_low = 0.2,
+                      .spout_high = 0.62,
+                      .spout_reach = 0.5,
+                      .bare = true,
+                      .colour = kBrass,
+                      .accent = kWine}));
+    add_model(models, "teapot", "Enamel coffee pot",
+              teapot({.body = {{0.44, 0}, {0.45, 0.04}, {0.42, 0.4}, {0.36, 0.76}, {0.3, 0.8}},
+                      .spout_low = 0.54,
+                      .spout_high = 0.86,
+                      .spout_reach = 0.24,
+                      .colour = kBlue,
+                      .accent = kNavy}));
+    add_model(models, "teapot", "Long-spouted teapot",
+              teapot({.body = {{0.36, 0}, {0.42, 0.06}, {0.42, 0.34}, {0.32, 0.54}, {0.2, 0.58}},
+                      .spout_low = 0.14,
+                      .spout_high = 0.52,
+                      .spout_reach = 0.62,
+                      .colour = kPlum,
+                      .accent = kMustard}));
 }
 
 void add_glasses(Models& models) {
@@ -196,6 +249,9 @@ void add_glasses(Models& models) {
     add_model(models, "wine bottle", "Hock bottle", bottle(0.22, 0.7, 0.6, 0.3, kTeal, kWhite, kNavy));
     add_model(models, "wine bottle", "Stout bottle", bottle(0.36, 0.62, 0.2, 0.28, kChestnut, kMustard, kInk));
     add_model(models, "wine bottle", "Round flask", bottle(0.42, 0.42, 0.3, 0.36, kLeaf, kCream, kWalnut));
+    add_model(models, "wine bottle", "Broad bottle", bottle(0.46, 0.62, 0.3, 0.34, kForest, kSand, kRed));
+    add_model(models, "wine bottle", "Long-necked bottle", bottle(0.26, 0.56, 0.2, 0.56, kNavy, kSky, kBrass));
+    add_model(models, "wine bottle", "Magnum", bottle(0.36, 0.74, 0.18, 0.3, kOlive, kCream, kInk));
 }
 
 void add_cutlery(Models& models) {

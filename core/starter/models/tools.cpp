@@ -208,16 +208,17 @@ void add_axes_and_swords(Models& models) {
 }
 
 void add_workshop(Models& models) {
-    const auto shovel = [](double shaft, double width, double blade, bool pointed, Rgb steel) {
+    const auto shovel = [](double shaft, double width, double blade, bool pointed, Rgb steel, bool grip = true) {
         Assembly a;
-        a.add(rod({0, 0, 0}, {0, shaft, 0}, 0.035, kHoney))
-            .add(loop({{-0.03, shaft, 0},
-                       {-0.13, shaft + 0.12, 0},
-                       {-0.1, shaft + 0.22, 0},
-                       {0.1, shaft + 0.22, 0},
-                       {0.13, shaft + 0.12, 0},
-                       {0.03, shaft, 0}},
-                      0.03, kWalnut));
+        a.add(rod({0, 0, 0}, {0, shaft, 0}, 0.035, kHoney));
+        if (grip)
+            a.add(loop({{-0.03, shaft, 0},
+                        {-0.13, shaft + 0.12, 0},
+                        {-0.1, shaft + 0.22, 0},
+                        {0.1, shaft + 0.22, 0},
+                        {0.13, shaft + 0.12, 0},
+                        {0.03, shaft, 0}},
+                       0.03, kWalnut));
         const std::vector<Point> spade =
             pointed ? std::vector<Point>{{-width * 0.9, 0.02},          {-width, -blade * 0.5},
                                          {-width * 0.6, -blade * 0.85}, {0, -blade * 1.08},
@@ -236,6 +237,8 @@ void add_workshop(Models& models) {
     add_model(models, "shovel", "Snow shovel", shovel(1.1, 0.34, 0.4, false, kBlue));
     add_model(models, "shovel", "Sand shovel", shovel(0.5, 0.2, 0.38, true, kCoral));
     add_model(models, "shovel", "Long shovel", shovel(1.3, 0.22, 0.36, true, kOlive));
+    add_model(models, "shovel", "Plain shovel", shovel(0.9, 0.19, 0.36, true, kSteel, false));
+    add_model(models, "shovel", "Coal shovel", shovel(1.0, 0.24, 0.34, false, kInk, false));
     const auto ladder = [](double height, double low, double high, int rungs, bool steps, Rgb colour) {
         Assembly side;
         side.pair_x(rod({low, 0, 0}, {high, height, 0}, 0.03, colour));

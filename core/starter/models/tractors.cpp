@@ -44,6 +44,22 @@ TriangleMesh tractor(double rear, double front, double length, bool cab, Rgb pai
     return narrow(a.mesh(), 0.6);
 }
 
+/// A toy tractor: the cab stands over the large wheel, the wheels are close under the body. `slope` is how far the
+/// windscreen leans.
+TriangleMesh toy_tractor(double rear, double front, double hood, double cab, double slope, Rgb paint, Rgb hub) {
+    Assembly a;
+    const double floor = rear * 0.8, deck = floor + 0.36;
+    a.add(box_between({-0.42, floor, -0.17}, {hood, deck, 0.17}, 0.06, paint))
+        .add(slab({{-0.42, deck - 0.04}, {0.04, deck - 0.04}, {0.04 - slope, deck + cab}, {-0.42, deck + cab}}, 0.3,
+                  0.02, kGlass))
+        .add(box({-0.19 - slope / 2, deck + cab, 0}, {0.5 - slope, 0.07, 0.4}, 0.03, paint));
+    a.add(rod({hood * 0.68, deck - 0.05, 0}, {hood * 0.68, deck + 0.3, 0}, 0.045, kInk, Cap::Flat))
+        .pair(ball({hood - 0.01, floor + 0.22, 0.1}, 0.05, kCream, 8));
+    a.pair(wheel({-0.22, rear, 0.24}, rear, 0.16, kInk, hub))
+        .pair(wheel({hood - front, front, 0.22}, front, 0.14, kInk, hub));
+    return narrow(a.mesh(), 0.6);
+}
+
 }  // namespace
 
 void add_tractors(Models& models) {
@@ -52,6 +68,9 @@ void add_tractors(Models& models) {
     add_model(models, "tractor", "Old tractor", tractor(0.36, 0.18, 1.05, false, kBlue, kCoral));
     add_model(models, "tractor", "Orange tractor", tractor(0.4, 0.36, 0.75, true, kOrange, kWhite));
     add_model(models, "tractor", "Field tractor", tractor(0.46, 0.22, 0.8, true, kTeal, kStraw));
+    add_model(models, "tractor", "Toy tractor", toy_tractor(0.36, 0.22, 0.72, 0.36, 0.06, kRed, kMustard));
+    add_model(models, "tractor", "Vineyard tractor", toy_tractor(0.4, 0.26, 0.54, 0.5, 0.16, kLeaf, kCream));
+    add_model(models, "tractor", "Two-wheel-drive tractor", toy_tractor(0.42, 0.15, 0.9, 0.26, 0.1, kMustard, kSlate));
 }
 
 }  // namespace core::starter
