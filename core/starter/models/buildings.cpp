@@ -163,10 +163,6 @@ void add_tents(Models& models) {
     add_model(models, "tent", "Tall tent", tent(1.05, 1.05, 1.0, kBlue, kSky));
     add_model(models, "tent", "Wide tent", tent(1.6, 0.95, 1.0, kTan, kCream));
     add_model(models, "tent", "Pointed tent", tent(0.85, 1.15, 0.9, kWine, kRose));
-    Assembly open;  // both flaps drawn aside
-    open.add(slab({{-0.65, 0}, {0, 1.1}, {0.65, 0}, {0.3, 0}, {0, 0.62}, {-0.3, 0}}, 0.34, 0.015, kMint))
-        .add(rod({0, 1.0, 0}, {0, 1.18, 0}, 0.02, kWalnut));
-    add_model(models, "tent", "Open tent", open.mesh());
     Assembly tipi;
     tipi.add(painted(lathe({{0, 0}, {0.6, 0}, {0.47, 0.3}, {0.4, 0.46}, {0.06, 1.25}, {0, 1.25}}, kSand, 24),
                      [](Vec3 p, Rgb c) { return p.y > 0.29 && p.y < 0.47 ? kBrick : c; }))

@@ -193,16 +193,6 @@ void add_more_dogs(Models& models) {
     hound.light = kTan;
     hound.inner_ear = kCocoa;
     add_model(models, "dog", "Bloodhound's face", animal_face(hound));
-    Face setter = beagle;
-    setter.width = 0.3;
-    setter.height = 0.34;
-    setter.ear_length = 0.7;
-    setter.ear_width = 0.1;
-    setter.ear_place = 36;
-    setter.ear_lean = 90;
-    setter.coat = kSand;
-    setter.inner_ear = kWalnut;
-    add_model(models, "dog", "Setter's face", animal_face(setter));
     add_model(models, "dog", "Sitting dog", sitting_dog(kTan, kWalnut, kCream));
     add_model(models, "dog", "Hound's head", dog_head_in_profile(0.34, 0.5, kHoney, kWalnut, kCream));
     Quadruped stout = dog_shape();

@@ -20,12 +20,11 @@ struct Waterfowl {
     bool curved = false;  ///< a goose's S
     Rgb feathers = kWhite, head_colour = kGreen, bill_colour = kMustard, wing = kStone;
     bool standing = false;
-    double leg = 0.22;  ///< of one that stands
 };
 
 TriangleMesh waterfowl(const Waterfowl& w) {
     Blob b(0.07);
-    const double lift = w.standing ? w.leg : 0.0, r = w.body;
+    const double lift = w.standing ? 0.22 : 0.0, r = w.body;
     const Vec3 middle{0, lift + r * 0.5, 0}, root{r * 0.72, lift + r * 0.62, 0};
     b.egg(middle, {r * 1.1, r * 0.56, r * 0.62}, w.feathers, 6)
         .limb(middle + Vec3{-r * 0.8, r * 0.15, 0}, middle + Vec3{-r * 1.05 - w.tail, r * 0.42 + w.tail * 0.5, 0},
@@ -108,19 +107,6 @@ void add_waterfowl(Models& models) {
 }
 
 void add_more_ducks(Models& models) {
-    add_model(models, "duck", "Running duck",
-              waterfowl({.body = 0.38,
-                         .neck = 0.46,
-                         .lean = 0.06,
-                         .head = 0.15,
-                         .bill = 0.18,
-                         .tail = 0.12,
-                         .feathers = kCream,
-                         .head_colour = kTan,
-                         .bill_colour = kOrange,
-                         .wing = kTan,
-                         .standing = true,
-                         .leg = 0.34}));
     add_model(models, "duck", "Pond duck",
               waterfowl({.body = 0.46,
                          .neck = 0.34,
