@@ -7,6 +7,7 @@
 
 #include "firmware_like_app/kiosk/garment_mode.hpp"
 #include "ui/draw/coverage.hpp"
+#include "ui/screens/garment_names.hpp"
 #include "ui/screens/garment_parts.hpp"
 #include "ui/screens/widgets.hpp"
 
@@ -95,7 +96,7 @@ void GarmentMode::fill_history(ui::GarmentState& state) const {
     for (std::size_t k = entries.size(); k-- > 0;) {
         ui::HistoryRow row;
         row.name = words()[key_of(entries[k].kind)];
-        if (!entries[k].name.empty()) row.name += ": " + entries[k].name;
+        if (!entries[k].name.empty()) row.name += ": " + ui::shown_name(words(), entries[k].name);
         row.undone = k >= desk_->history_place();
         row.current = k + 1 == desk_->history_place();
         state.history.push_back(std::move(row));
@@ -205,7 +206,7 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
         return state;
     }
     state.line_goes_on = desk_->goes_on();
-    state.can_undo = desk_->can_undo() || state.line_goes_on;
+    state.can_undo = desk_->can_undo() || state.line_goes_on || put_away_;
     state.can_redo = desk_->can_redo();
     state.empty = desk_->network().lines().empty();
     state.mirror = desk_->state().look().mirror;
@@ -217,7 +218,7 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
         state.folds_on = true;
         state.folds_held = hold_ == Hold::Folds;
         state.folds = state.folds_held ? folds_ : std::clamp(region->alpha / core::kClosedFlowAlpha, 0.0, 1.0);
-        state.folds_name = piece;
+        state.folds_name = ui::shown_name(words(), piece);
     }
     for (std::size_t i = 0; i < washes_.size(); ++i) {
         state.washes.push_back({ui::PictureId{kFirstWash + static_cast<int>(i)}, washes_[i].rect, washes_[i].colour});
@@ -226,7 +227,7 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     state.handles_px = drawing_.handles_px;
     state.open_ends_px = drawing_.open_ends_px;
     for (const auto& [note, key] : notes_) {
-        if (note.key == "outline_open" && (note.gap_cm <= 0 || note.gap_cm > kNotedGap_cm)) continue;
+        if (note.key == core::DeskNote::Key::OutlineOpen && (note.gap_cm <= 0 || note.gap_cm > kNotedGap_cm)) continue;
         state.notes.push_back({words()[key], views_.camera().to_px(note.place), true});
     }
     // two ends on the middle can be joined by a tap on one of them
@@ -235,7 +236,7 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     }
     if (notes_.empty() && desk_->cloth_is_current()) {
         for (const core::DeskNote& fault : desk_->cloth_faults()) {
-            if (fault.key == "not_filled")
+            if (fault.key == core::DeskNote::Key::NotFilled)
                 state.notes.push_back({words()["note_not_filled"], views_.camera().to_px(fault.place), true});
         }
     }
