@@ -231,7 +231,7 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
         state.notes.push_back({words()[key], views_.camera().to_px(note.place), true});
     }
     // two ends on the middle can be joined by a tap on one of them
-    if (drawing_.open_middle && hold_ == Hold::None && state.notes.empty()) {
+    if (drawing_.open_middle && hold_ == Hold::None && !state.line_goes_on && state.notes.empty()) {
         state.notes.push_back({words()["note_middle"], views_.camera().to_px(*drawing_.open_middle), true});
     }
     if (notes_.empty() && desk_->cloth_is_current()) {
@@ -244,6 +244,10 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     if (state.mirror && level) {
         state.axis_px = {views_.camera().to_px({0, views_.height_cm() + kAxisAbove_cm, 0}),
                          views_.camera().to_px({0, -kAxisAbove_cm, 0})};
+    }
+    if (const core::LineGoingOn* going = desk_->line_going_on(); going != nullptr && hold_ != Hold::Drawing) {
+        state.handles_px.push_back(views_.camera().to_px(going->end));
+        state.held_handle = state.handles_px.size() - 1;
     }
     fill_stroke(state);
     fill_planes(state);
