@@ -64,8 +64,13 @@ std::vector<Pair> spans(const QuadMesh& mesh) {
 
 }  // namespace
 
-Drape::Drape(const QuadMesh& cloth, const Obstacle& obstacle, const DrapeOptions& options, std::vector<bool> held)
-    : rest_(cloth), obstacle_(obstacle), options_(options), weight_(cloth.vertices.size(), 0.0) {
+Drape::Drape(const QuadMesh& cloth, const Obstacle& obstacle, const DrapeOptions& options, std::vector<bool> held,
+             std::vector<SewnVertex> sewn)
+    : rest_(cloth),
+      obstacle_(obstacle),
+      options_(options),
+      weight_(cloth.vertices.size(), 0.0),
+      sewn_(std::move(sewn)) {
     std::vector<double> area(cloth.vertices.size(), 0.0);
     double sum = 0.0;
     for (const Quad& q : rest_.quads) {
@@ -77,6 +82,8 @@ Drape::Drape(const QuadMesh& cloth, const Obstacle& obstacle, const DrapeOptions
     const double mean = sum / static_cast<double>(std::max<std::size_t>(1, area.size()));
     for (std::size_t i = 0; i < area.size(); ++i)
         if (area[i] > 0.0) weight_[i] = std::clamp(mean / area[i], 0.25, 4.0);
+    for (const SewnVertex& s : sewn_)
+        if (s.vertex < held.size()) held[s.vertex] = false;  // it goes where its cloth goes
     for (std::size_t i = 0; i < std::min(held.size(), weight_.size()); ++i)
         if (held[i]) weight_[i] = 0.0;
     add_links();
@@ -209,6 +216,7 @@ void Drape::substep(double dt) {
         at_[i] = at_[i] + v * dt;
     }
     keep_lengths();
+    keep_sewn();
     keep_apart();
     keep_outside();
     stay_above_floor();
@@ -231,6 +239,24 @@ void Drape::keep_lengths() {
         const Vec3 pull = d * ((now - link.rest) / (now * sum));
         at_[link.a] = at_[link.a] + pull * wa;
         at_[link.b] = at_[link.b] - pull * wb;
+    }
+}
+
+/// Each over its place on the other cloth, as far off as it was drawn.
+void Drape::keep_sewn() {
+    for (const SewnVertex& s : sewn_) {
+        const std::array<Vec3, 3> p{at_[s.on[0]], at_[s.on[1]], at_[s.on[2]]};
+        const TriangleAxes axes = axes_of_triangle(p[0], p[1], p[2]);
+        Vec3 to = axes.along * s.off.x + axes.across * s.off.y + axes.normal * s.off.z;
+        double sum = weight_[s.vertex];
+        for (std::size_t k = 0; k < 3; ++k) {
+            to = to + p[k] * s.share[k];
+            sum += s.share[k] * s.share[k] * weight_[s.on[k]];
+        }
+        if (sum == 0.0) continue;
+        const Vec3 pull = (to - at_[s.vertex]) * (1.0 / sum);
+        at_[s.vertex] = at_[s.vertex] + pull * weight_[s.vertex];
+        for (std::size_t k = 0; k < 3; ++k) at_[s.on[k]] = at_[s.on[k]] - pull * (s.share[k] * weight_[s.on[k]]);
     }
 }
 

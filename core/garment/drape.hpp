@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/garment/obstacle.hpp"
+#include "core/garment/sewing.hpp"
 #include "core/mesh/quad_mesh.hpp"
 
 namespace core {
@@ -34,8 +35,9 @@ struct DrapeOptions {
 class Drape {
   public:
     /// `cloth` as drawn and fitted, outside of the obstacle; its lengths are the rest lengths. `held` vertices stay
-    /// where they are; it may be empty. The obstacle must outlive the drape.
-    Drape(const QuadMesh& cloth, const Obstacle& obstacle, const DrapeOptions& options, std::vector<bool> held = {});
+    /// where they are, unless they are sewn; it may be empty. The obstacle must outlive the drape.
+    Drape(const QuadMesh& cloth, const Obstacle& obstacle, const DrapeOptions& options, std::vector<bool> held = {},
+          std::vector<SewnVertex> sewn = {});
 
     /// 1/60 s. About 10 ms for 10,000 vertices.
     void step();
@@ -65,6 +67,7 @@ class Drape {
     [[nodiscard]] bool is_linked(std::uint32_t low, std::uint32_t high) const;
     void substep(double seconds);
     void keep_lengths();
+    void keep_sewn();
     void keep_apart();
     void keep_outside();
     void stay_above_floor();
@@ -76,6 +79,7 @@ class Drape {
     std::vector<Link> links_;                  // by their lower vertex
     std::vector<std::uint32_t> linked_start_;  // of each vertex: its first link as the lower one
     std::vector<Contact> contacts_;
+    std::vector<SewnVertex> sewn_;
     std::vector<Vec3> at_, before_, speed_;
     double thickness_ = 0.0, clearance_ = 0.0;
     double since_search_ = 0.0;  // how far a vertex may have moved since contacts were looked for

@@ -122,6 +122,7 @@ SearchAnswer SketchSearcher::find(const Readings& silhouettes, double silhouette
         found.id = model.record.id;
         found.name = model.record.name;
         found.class_name = model.record.class_name;
+        found.source = model.record.source_path;
         found.distance = r.distance;
         found.camera = model.record.views[view].camera;
         found.mirrored = match.reversed;

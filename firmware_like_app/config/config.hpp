@@ -38,6 +38,8 @@ struct Config {
     struct {
         std::string designs;    ///< file of designs; empty: none are kept
         std::string export_to;  ///< folder; empty: USB sticks
+        std::string bodies;     ///< folder of bodies of the studio's own; empty: none are offered
+        std::string fabrics;    ///< folder of pictures of fabrics; empty: only the built-in ones
         std::int64_t bin_days = 30;
     } garment;
     struct {

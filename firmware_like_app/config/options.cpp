@@ -115,6 +115,14 @@ std::vector<Option> make_options() {
                        Text([](Config& c) -> std::string& { return c.garment.designs; })});
     o.push_back(Option{"garment", "export_to", "The folder that garments are exported to. Empty: the USB stick.",
                        Text([](Config& c) -> std::string& { return c.garment.export_to; })});
+    o.push_back(Option{"garment", "bodies",
+                       "A folder of bodies as closed meshes, OBJ and others, to draw on in place of the mannequin.\n"
+                       "Empty: none.",
+                       Text([](Config& c) -> std::string& { return c.garment.bodies; })});
+    o.push_back(Option{"garment", "fabrics",
+                       "A folder of PNG pictures, the first ten of which are offered as fabrics, each 10 cm wide.\n"
+                       "Empty: none.",
+                       Text([](Config& c) -> std::string& { return c.garment.fabrics; })});
     o.push_back(Option{
         "garment", "bin_days", "How many days a deleted design can still be taken out of the bin.",
         Whole([](Config& c) -> std::int64_t& {

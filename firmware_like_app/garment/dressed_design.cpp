@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/garment/texture.hpp"
+#include "core/geometry/turn.hpp"
 #include "core/mannequin/mannequin.hpp"
 
 namespace app {
@@ -50,19 +51,6 @@ void take_objects(const ModelSource& models, DressedDesign& dressed) {
     }
 }
 
-Vec3 turned(Vec3 p, Vec3 by) {
-    const auto turn = [](double& a, double& b, double angle) {
-        const double c = std::cos(angle), s = std::sin(angle);
-        const double first = a * c - b * s;
-        b = a * s + b * c;
-        a = first;
-    };
-    turn(p.y, p.z, by.x);
-    turn(p.z, p.x, by.y);
-    turn(p.x, p.y, by.z);
-    return p;
-}
-
 }  // namespace
 
 core::TriangleMesh placed_mesh(const core::PlacedObject& object, const core::TriangleMesh& model) {
@@ -74,7 +62,7 @@ core::TriangleMesh placed_mesh(const core::PlacedObject& object, const core::Tri
         high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
     }
     const Vec3 middle = (low + high) * 0.5;
-    for (Vec3& v : placed.vertices) v = object.at + turned((v - middle) * object.scale, object.turn);
+    for (Vec3& v : placed.vertices) v = object.at + core::turned((v - middle) * object.scale, object.turn);
     return placed;
 }
 

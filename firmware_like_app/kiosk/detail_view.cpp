@@ -358,7 +358,9 @@ std::optional<ui::Control> DetailView::pointer(const ui::WindowEvent& event, ui:
             set_focus(std::nullopt);
             const std::optional<ui::Intent> intent = touch_.release();
             if (!intent) break;
-            if (intent->control == ui::Control::KeepDrawing) return intent->control;
+            if (intent->control == ui::Control::KeepDrawing || intent->control == ui::Control::Wear) {
+                return intent->control;
+            }
             act(*intent, event.time_us, painter);
             break;
         }
@@ -532,6 +534,7 @@ ui::DetailState DetailView::state(std::size_t language, std::int64_t now_us) con
     s.language = language;
     s.name = readable_name(found().name);
     s.caption = readable_name(found().class_name);
+    s.wear = wear_offered_ && found().mesh != nullptr && !found().mesh->vertices.empty();
     if (s.caption == s.name) s.caption.clear();
     s.opened = opened(now_us);
     if (model_since_us_) s.model = kModel;

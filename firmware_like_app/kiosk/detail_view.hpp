@@ -40,7 +40,12 @@ class DetailView {
     [[nodiscard]] bool is_open() const { return answer_ != nullptr; }
     void resize(ui::SizePx screen, ui::Hand hand, ui::Painter& painter);
 
-    /// Turning, zooming and the numbers. Gives what was tapped: KeepDrawing, or nothing.
+    /// Whether a result can be put on the figure of Garment.
+    void offer_wear(bool offered) { wear_offered_ = offered; }
+    /// The one that is open.
+    [[nodiscard]] const FoundModel& found() const { return answer_->answer.best[index_]; }
+
+    /// Turning, zooming and the numbers. Gives what was tapped: KeepDrawing, Wear, or nothing.
     std::optional<ui::Control> pointer(const ui::WindowEvent& event, ui::Painter& painter);
     void cancel_pointer();
     /// Once a frame: turns.
@@ -85,7 +90,6 @@ class DetailView {
     [[nodiscard]] double opened(std::int64_t now_us) const;
     [[nodiscard]] ui::StageView view() const;
     [[nodiscard]] std::vector<ui::DetailTag> model_tags() const;
-    [[nodiscard]] const FoundModel& found() const { return answer_->answer.best[index_]; }
 
     ui::DetailScreen screen_;
     ui::ModelStage stage_;
@@ -120,7 +124,7 @@ class DetailView {
     ui::Rect from_;
     std::int64_t opened_us_ = 0, last_us_ = 0;
     double azimuth_ = 0, elevation_ = 0, zoom_ = 1;
-    bool touched_ = false, turning_ = false, frames_are_seen_ = false;
+    bool touched_ = false, turning_ = false, frames_are_seen_ = false, wear_offered_ = false;
     core::Point grip_;
     ui::BoardTouch touch_;
     std::optional<int> focus_;

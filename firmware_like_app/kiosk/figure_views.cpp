@@ -14,6 +14,7 @@ constexpr int kSlowPictures = 2;  // in a row, before drafts are drawn
 constexpr double kMostElevation = 1.2;
 constexpr double kDefaultAzimuth = 0.5, kDefaultElevation = 0.1;
 constexpr double kHeadRoom_cm = 2;
+constexpr ui::Colour kObjectColour = ui::Colour::hex(0x8F7F6B);  // leather, darker than the figure
 
 ui::SizePx whole(const ui::Rect& rect) {
     return {std::max(1, static_cast<int>(rect.width)), std::max(1, static_cast<int>(rect.height))};
@@ -57,7 +58,7 @@ void FigureViews::lay_out(const ui::GarmentLayout& layout, ui::Painter& painter)
 void FigureViews::set_dress(FigureDress dress) {
     dress_ = std::move(dress);
     if (dress_.form) height_cm_ = height_of(dress_.form->mesh);
-    live_layer_ = -1;
+    live_.clear();
     upload();
     surfaces_changed();
 }
@@ -68,8 +69,31 @@ void FigureViews::upload() {
         uploaded_form_ = dress_.form;
         aim();
     }
-    stage_.set_layer_count(dress_.layers.size());
+    stage_.set_layer_count(dress_.layers.size() + objects_.size());
     for (std::size_t i = 0; i < dress_.layers.size(); ++i) upload_layer(i);
+    for (std::size_t i = 0; i < objects_.size(); ++i) upload_object(i);
+}
+
+/// Objects are drawn as layers beyond those of cloth.
+void FigureViews::upload_object(std::size_t i) {
+    ui::ClothCorners corners;
+    if (objects_[i]) {
+        corners.corners = ui::corners_of_body(*objects_[i]);
+        ui::FabricLook look;
+        look.colour = kObjectColour;
+        corners.runs.push_back({look, 0, corners.corners.count()});
+    }
+    stage_.set_layer(dress_.layers.size() + i, corners);
+}
+
+void FigureViews::set_objects(std::vector<std::shared_ptr<const core::TriangleMesh>> objects) {
+    if (objects == objects_) return;
+    const std::vector<std::shared_ptr<const core::TriangleMesh>> before = std::exchange(objects_, std::move(objects));
+    stage_.set_layer_count(dress_.layers.size() + objects_.size());
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+        if (i >= before.size() || before[i] != objects_[i]) upload_object(i);
+    }
+    surfaces_changed();
 }
 
 void FigureViews::upload_layer(std::size_t i) {
@@ -79,17 +103,35 @@ void FigureViews::upload_layer(std::size_t i) {
         return;
     }
     const core::Cloth& cloth = layer.textured ? *layer.textured : layer.cloth->fitted;
-    const bool live = layer.layer == live_layer_ && live_.size() == cloth.mesh.vertices.size();
-    stage_.set_layer(i, ui::corners_of_cloth(cloth, layer.looks, live ? &live_ : nullptr));
+    const std::vector<core::Vec3>* live = places_of(layer.layer);
+    if (live != nullptr && live->size() != cloth.mesh.vertices.size()) live = nullptr;
+    stage_.set_layer(i, ui::corners_of_cloth(cloth, layer.looks, live));
+}
+
+const std::vector<core::Vec3>* FigureViews::places_of(int layer) const {
+    const auto found = live_.find(layer);
+    return found == live_.end() ? nullptr : &found->second;
+}
+
+/// Where a layer's vertices are shown.
+const std::vector<core::Vec3>& FigureViews::vertices_of(const FigureDress::Layer& layer) const {
+    const std::vector<core::Vec3>& own = layer.cloth->fitted.mesh.vertices;
+    const std::vector<core::Vec3>* live = places_of(layer.layer);
+    return live != nullptr && live->size() == own.size() ? *live : own;
 }
 
 void FigureViews::set_places(int layer, const std::vector<core::Vec3>* places) {
-    const int before = live_layer_;
-    if (places == nullptr && before < 0) return;  // nothing moved, nothing is put back
-    live_layer_ = places != nullptr ? layer : -1;
-    if (places != nullptr) live_ = *places;
+    std::map<int, std::vector<core::Vec3>> one;
+    if (places != nullptr) one.emplace(layer, *places);
+    set_places(std::move(one));
+}
+
+void FigureViews::set_places(std::map<int, std::vector<core::Vec3>> places) {
+    if (places.empty() && live_.empty()) return;  // nothing moved, nothing is put back
+    const std::map<int, std::vector<core::Vec3>> before = std::exchange(live_, std::move(places));
     for (std::size_t i = 0; i < dress_.layers.size(); ++i) {
-        if (dress_.layers[i].layer == layer || dress_.layers[i].layer == before) upload_layer(i);
+        const int layer = dress_.layers[i].layer;
+        if (live_.count(layer) + before.count(layer) > 0) upload_layer(i);
     }
     surfaces_changed();
 }
@@ -198,11 +240,12 @@ void FigureViews::fill_depth() {
     camera.centre_px = camera.centre_px - core::Point{layout_.sheet.x, layout_.sheet.y};
     depth_.clear(camera, whole(layout_.sheet));
     if (dress_.form && dress_.body_shown) depth_.add(dress_.form->mesh.vertices, dress_.form->mesh.triangles);
+    for (const auto& object : objects_) {
+        if (object) depth_.add(object->vertices, object->triangles);
+    }
     for (const FigureDress::Layer& layer : dress_.layers) {
         if (!layer.shown || !layer.cloth) continue;
-        const core::QuadMesh& mesh = layer.cloth->fitted.mesh;
-        const bool live = layer.layer == live_layer_ && live_.size() == mesh.vertices.size();
-        depth_.add(live ? live_ : mesh.vertices, mesh.quads);
+        depth_.add(vertices_of(layer), layer.cloth->fitted.mesh.quads);
     }
 }
 

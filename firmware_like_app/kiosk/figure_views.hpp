@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -36,12 +37,14 @@ class FigureViews {
 
     void lay_out(const ui::GarmentLayout& layout, ui::Painter& painter);
     void set_dress(FigureDress dress);
-    /// Other places for the vertices of a layer, while it moves; null: its own again.
+    /// Other places for the vertices of a layer, while it moves; null: all are as they were made again.
     void set_places(int layer, const std::vector<core::Vec3>* places);
+    /// The same for several layers; those that are not among them are as they were made.
+    void set_places(std::map<int, std::vector<core::Vec3>> places);
     /// Those of a layer that moves; null for the others.
-    [[nodiscard]] const std::vector<core::Vec3>* places_of(int layer) const {
-        return layer == live_layer_ ? &live_ : nullptr;
-    }
+    [[nodiscard]] const std::vector<core::Vec3>* places_of(int layer) const;
+    /// What the figure wears beside cloth, in place; null: not found.
+    void set_objects(std::vector<std::shared_ptr<const core::TriangleMesh>> objects);
     void set_quads(bool quads);
     /// While something moves and pictures take long: a quarter of the pixels. The picture is drawn whole when it ends.
     void set_moving(bool moving);
@@ -100,6 +103,8 @@ class FigureViews {
     };
     void upload();
     void upload_layer(std::size_t layer);
+    void upload_object(std::size_t object);
+    [[nodiscard]] const std::vector<core::Vec3>& vertices_of(const FigureDress::Layer& layer) const;
     void surfaces_changed();
     void aim();
     [[nodiscard]] core::DrawingView view_of(ui::GarmentView view) const;
@@ -113,9 +118,9 @@ class FigureViews {
     std::vector<ui::Target> small_;
     ui::GarmentLayout layout_;
     FigureDress dress_;
+    std::vector<std::shared_ptr<const core::TriangleMesh>> objects_;
     std::shared_ptr<const core::DressForm> uploaded_form_;
-    int live_layer_ = -1;
-    std::vector<core::Vec3> live_;
+    std::map<int, std::vector<core::Vec3>> live_;  // of layers that move
     double height_cm_ = 170;
     bool quads_ = false, moving_ = false, drawn_draft_ = false;
     int slow_pictures_ = 0;

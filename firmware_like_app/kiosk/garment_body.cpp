@@ -58,10 +58,22 @@ void GarmentBody::choose_size(std::size_t size) {
 }
 
 void GarmentBody::slide(std::size_t slider, double share) {
+    const Range range = range_of(kSliders[slider].measure);
+    set_measure(slider, range.least + (range.most - range.least) * std::clamp(share, 0.0, 1.0));
+}
+
+bool GarmentBody::write(std::size_t slider, double cm) {
+    if (slider >= kSliders.size()) return false;
+    const Range range = range_of(kSliders[slider].measure);
+    if (!(cm >= range.least && cm <= range.most)) return false;
+    set_measure(slider, cm);
+    return true;
+}
+
+/// To the tenth of a centimetre.
+void GarmentBody::set_measure(std::size_t slider, double wanted_cm) {
     const Measure measure = kSliders[slider].measure;
-    const Range range = range_of(measure);
-    const double before = measures_[measure];
-    const double cm = std::round((range.least + (range.most - range.least) * std::clamp(share, 0.0, 1.0)) * 10) / 10;
+    const double before = measures_[measure], cm = std::round(wanted_cm * 10) / 10;
     measures_[measure] = cm;
     if (measure == Measure::Bust && before > 0) measures_[Measure::UnderBust] *= cm / before;
 }

@@ -24,12 +24,16 @@ class GarmentBody {
     /// A slider at a share of its way. Rounded to tenths of a centimetre. The under bust keeps its share of the bust.
     void slide(std::size_t slider, double share);
 
+    /// A slider's measure as it was written; nothing changes, and false, where the slider does not reach it.
+    [[nodiscard]] bool write(std::size_t slider, double cm);
+
     [[nodiscard]] const core::BodyMeasures& measures() const { return measures_; }
     /// The size whose measures these are.
     [[nodiscard]] std::optional<std::size_t> size() const;
     [[nodiscard]] ui::BodyDrawer drawer() const;
 
   private:
+    void set_measure(std::size_t slider, double wanted_cm);
     core::BodyMeasures measures_;
     std::size_t last_size_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "firmware_like_app/garment/design_sources.hpp"
 #include "firmware_like_app/kiosk/drawing_recorder.hpp"
 #include "ui/screens/widgets.hpp"
 
@@ -17,14 +18,14 @@ constexpr double kTurn_rad_per_px = 0.006;
 constexpr std::int64_t kRepeatAfter_us = 400'000, kRepeatEvery_us = 125'000;
 constexpr std::int64_t kClearedOffer_us = 8'000'000;
 
-core::Result<core::GarmentDesk> empty_desk(const std::string& size) {
+core::Result<core::GarmentDesk> empty_desk(const std::string& size, const core::FormSource& bodies) {
     core::Design design;
     const core::Result<core::BodyMeasures> measures = core::measures_of_size(size);
     if (!measures) return core::unexpected(measures.error());
     design.body = *measures;
     core::Result<core::Mannequin> body = core::make_mannequin(design.body);
     if (!body) return core::unexpected(body.error());
-    return core::GarmentDesk::open(std::move(design), core::dress_form(*body));
+    return core::GarmentDesk::open(std::move(design), core::dress_form(*body), bodies);
 }
 
 }  // namespace
@@ -50,6 +51,12 @@ GarmentMode::GarmentMode(const ui::FontSet& fonts, const std::vector<ui::Strings
       painter_(std::move(painter)),
       views_(std::move(views)),
       builder_(options.every_frame_seen),
+      drape_(options.every_frame_seen),
+      objects_(options.model_source     ? options.model_source
+               : options.models.empty() ? ModelSource{}
+                                        : models_of_index(options.models)),
+      body_files_(options.bodies, options.every_frame_seen),
+      own_fabrics_(read_own_fabrics(options.fabrics)),
       keeper_(options.designs) {
     views_.lay_out(layout_, painter_);
     views_.set_quads(quads_);
@@ -62,9 +69,10 @@ GarmentMode::~GarmentMode() = default;
 
 void GarmentMode::prepare() {
     if (desk_ || coming_.valid() || !failure_.empty()) return;
-    coming_ = std::async(std::launch::async, [make = options_.first_desk, size = options_.size] {
-        return make ? make(size) : empty_desk(size);
-    });
+    coming_ = std::async(std::launch::async,
+                         [make = options_.first_desk, size = options_.size, source = body_files_.source()] {
+                             return make ? make(size) : empty_desk(size, source);
+                         });
 }
 
 /// Waits for the body of an empty design, when it is needed before it is there.
@@ -102,18 +110,20 @@ bool is_worn(const core::Design& design, const core::DesignRunner& now) {
     return worn && worn->figure == design.body.figure && worn->cm == design.body.cm;
 }
 
-core::Result<core::GarmentDesk> desk_of(const core::Design& design, const core::GarmentDesk* now) {
+core::Result<core::GarmentDesk> desk_of(const core::Design& design, const core::GarmentDesk* now,
+                                        core::FormSource source) {
     if (now != nullptr && is_worn(design, now->state())) return core::GarmentDesk::open(design, now->state());
     const core::Result<core::Mannequin> body = core::make_mannequin(design.body);
     if (!body) return core::unexpected(body.error());
-    return core::GarmentDesk::open(design, core::dress_form(*body));
+    return core::GarmentDesk::open(design, core::dress_form(*body), std::move(source));
 }
 
 }  // namespace
 
 core::Result<void> GarmentMode::open(const core::Design& design) {
-    core::Result<core::GarmentDesk> desk = desk_of(design, desk_ ? &*desk_ : nullptr);
+    core::Result<core::GarmentDesk> desk = desk_of(design, desk_ ? &*desk_ : nullptr, body_files_.source());
     if (!desk) return core::unexpected(desk.error());
+    put_back();
     builder_.forget();
     coming_ = {};
     desk_.emplace(std::move(*desk));
@@ -121,6 +131,7 @@ core::Result<void> GarmentMode::open(const core::Design& design) {
     stepper_.set_quads(desk_->network().options().edge_cm);
     textured_.clear();
     choose_piece();
+    objects_.choose("");
     line_.clear();
     notes_.clear();
     problem_.clear();
@@ -153,6 +164,9 @@ ui::FabricLook GarmentMode::look_of(const std::string& piece, int layer) const {
     if (found == materials.end()) return look;
     look.colour = ui::colour_of(found->second.colour, look.colour);
     look.fabric = ui::fabric_of(found->second.fabric);
+    for (const OwnFabric& own : own_fabrics_.fabrics) {
+        if (own.picture == found->second.fabric) look.picture = own.picture;
+    }
     return look;
 }
 
@@ -160,7 +174,9 @@ ui::FabricLook GarmentMode::look_of(const std::string& piece, int layer) const {
 std::vector<int> GarmentMode::woven_layers() const {
     std::vector<int> layers;
     for (const core::NetworkRegion& region : desk_->network().regions()) {
-        if (region.alive && look_of(region.name, region.layer).fabric != ui::Fabric::Plain) {
+        if (!region.alive) continue;
+        const ui::FabricLook look = look_of(region.name, region.layer);
+        if (look.fabric != ui::Fabric::Plain || !look.picture.empty()) {
             layers.push_back(region.layer);
         }
     }
@@ -192,13 +208,15 @@ void GarmentMode::show_cloth() {
         dress.layers.push_back(std::move(layer));
     }
     views_.set_dress(std::move(dress));
+    if (drape_.on()) views_.set_places(hanging_);
+    show_objects();
     live_due_ = true;
     drawing_due_ = true;
 }
 
 /// Cloth that follows the pen or the slider.
 void GarmentMode::follow_live() {
-    if (!live_due_ || !desk_) return;
+    if (!live_due_ || !desk_ || drape_.on()) return;
     live_due_ = false;
     const std::optional<core::GarmentDesk::Live> live = desk_->live();
     if (live && live->places != nullptr) {
@@ -360,16 +378,19 @@ core::DeskTool GarmentMode::desk_tool() const {
 
 /// What pointed, for drawing the same again. A folder that is full costs the recording, never the drawing.
 void GarmentMode::record(const ui::WindowEvent& event) {
-    if (options_.record.empty() || recording_failed_) return;
-    if (!recorder_) {
-        const GarmentStart start{layout_.screen, words().code(), options_.hand};
-        core::Result<std::unique_ptr<GarmentRecorder>> recorder =
-            GarmentRecorder::create(next_free(options_.record, "garment"), start, event.time_us);
-        recording_failed_ = !recorder.has_value();
-        if (recording_failed_) return;
-        recorder_ = std::move(*recorder);
-    }
-    recorder_->record(event);
+    if (ready_recorder(event.time_us)) recorder_->record(event);
+}
+
+bool GarmentMode::ready_recorder(std::int64_t now_us) {
+    if (options_.record.empty() || recording_failed_) return false;
+    if (recorder_) return true;
+    const GarmentStart start{layout_.screen, words().code(), options_.hand};
+    core::Result<std::unique_ptr<GarmentRecorder>> recorder =
+        GarmentRecorder::create(next_free(options_.record, "garment"), start, now_us);
+    recording_failed_ = !recorder.has_value();
+    if (recording_failed_) return false;
+    recorder_ = std::move(*recorder);
+    return true;
 }
 
 /// Two fingers, or the wheel. What one finger drew until the second came is taken back: it was never meant as a line.
@@ -453,6 +474,7 @@ void GarmentMode::press(const ui::WindowEvent& event) {
 void GarmentMode::hold_slider(const ui::Intent& intent, const ui::WindowEvent& event) {
     const ui::GarmentIntent what = ui::garment_intent(intent.item);
     if (what.action == ui::GarmentAction::Folds) {
+        put_back();
         hold_ = Hold::Folds;
         folds_piece_ = piece_for_folds();
         slide(event.x);
@@ -474,6 +496,7 @@ void GarmentMode::hold_slider(const ui::Intent& intent, const ui::WindowEvent& e
 bool GarmentMode::pen_turns(const ui::WindowEvent& event) {
     if (event.button) return true;
     if (views_.view() != ui::GarmentView::Solid) return false;
+    if (hanging_wanted_) return true;  // to look at it from all sides; where it hangs must not matter for a replay
     for (const core::NetworkVertex& vertex : desk_->network().vertices()) {
         if (!vertex.alive || vertex.layer != desk_->layer()) continue;
         const core::Point px = views_.camera().to_px(vertex.place);
@@ -485,10 +508,12 @@ bool GarmentMode::pen_turns(const ui::WindowEvent& event) {
 void GarmentMode::touch_sheet(const ui::WindowEvent& event) {
     if (!desk_) return;
     erasing_ = event.eraser;
+    if (!erasing_ && hold_object(event)) return;
     if (!erasing_ && pen_turns(event)) {
         hold_ = views_.view() == ui::GarmentView::Solid ? Hold::Turning : Hold::Moving;
         return;
     }
+    put_back();
     hold_ = Hold::Drawing;
     core::DeskSettings& settings = desk_->settings();
     settings.tool = desk_tool();
@@ -520,6 +545,10 @@ void GarmentMode::drag(const ui::WindowEvent& event) {
             break;
         case Hold::Moving:
             views_.move_by(at - last_px_);
+            break;
+        case Hold::Object:
+            objects_.drag(at);
+            show_objects();
             break;
         case Hold::Folds:
         case Hold::Measure:
@@ -567,6 +596,8 @@ void GarmentMode::release(const ui::WindowEvent& event) {
     repeat_us_.reset();
     if (held == Hold::Drawing) {
         end_stroke(event);
+    } else if (held == Hold::Object) {
+        let_object_go(event.time_us);
     } else if (held == Hold::Folds) {
         touch_.cancel();
         if (!folds_piece_.empty())
@@ -613,6 +644,7 @@ void GarmentMode::end_tap(const ui::WindowEvent& event) {
 
 void GarmentMode::select_at(core::Point px) {
     const core::Pick pick = desk_->pick(views_.camera().view, views_.camera().to_drawing(px));
+    objects_.choose(objects_.at(px, objects(), views_.camera()));
     line_ = pick.kind == core::Pick::Kind::Line ? pick.name.substr(0, pick.name.find('/')) : "";
     if (pick.kind == core::Pick::Kind::Region) piece_ = pick.name;
     problem_.clear();
@@ -629,6 +661,7 @@ void GarmentMode::drop_hold(std::int64_t now_us) {
         take_reply(desk_->end(), now_us);
     }
     if (held == Hold::Folds) desk_->drop_live();
+    if (held == Hold::Object) let_object_go(now_us);
     if (held == Hold::Measure) keep_body(now_us);
     keep_quads(now_us);
     live_due_ = true;
@@ -641,6 +674,10 @@ void GarmentMode::take_back() {
     const Hold held = std::exchange(hold_, Hold::None);
     if (desk_ && held == Hold::Drawing) desk_->cancel();
     if (desk_ && held == Hold::Folds) desk_->drop_live();
+    if (desk_ && held == Hold::Object) {
+        (void)objects_.let_go();
+        show_objects();
+    }
     if (desk_ && held == Hold::Measure) body_.set(desk_->state().worn()->form.measures.value_or(body_.measures()));
     if (desk_) stepper_.set_quads(desk_->network().options().edge_cm);
     body_due_ = erasing_ = false;
@@ -693,13 +730,16 @@ void GarmentMode::update(std::int64_t now_us) {
     if (std::exchange(body_due_, false)) try_body();
     request_cloth();
     take_cloth();
+    take_own_body(now_us);
+    follow_drape(now_us);
     follow_live();
 }
 
 int GarmentMode::update_ink() {
     if (!desk_) return 0;
     follow_live();
-    views_.set_moving(options_.every_frame_seen && hold_ != Hold::None && hold_ != Hold::Board);
+    const bool moves = (hold_ != Hold::None && hold_ != Hold::Board) || (drape_.on() && drape_.moving());
+    views_.set_moving(options_.every_frame_seen && moves);
     if (views_.draw()) painter_.set_picture(FigureViews::kFigure, &views_.figure_texture());
     project();
     return 0;
@@ -728,7 +768,7 @@ void GarmentMode::project() {
         tool_ == T::Move || tool_ == T::Weld || tool_ == T::Corner || tool_ == T::Smooth || tool_ == T::Bump;
     const core::LineGoingOn* going = desk_->line_going_on();
     wishes.selected_line = going != nullptr ? going->name : line_;
-    drawing_ = draw_sheet(*desk_, views_, wishes);
+    drawing_ = hanging_wanted_ ? SheetDrawing{} : draw_sheet(*desk_, views_, wishes);
     make_washes();
 }
 
@@ -762,6 +802,10 @@ bool GarmentMode::has_work() const {
 }
 
 void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
+    put_back();
+    objects_.forget();
+    body_files_.forget();
+    typed_.reset();
     recorder_.reset();
     recording_failed_ = false;
     keep_picture();
@@ -801,6 +845,7 @@ void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
         textured_.clear();
         desk_.reset();
         prepare();
+        views_.set_objects({});
         views_.set_dress({});
     } else if (desk_) {
         show_cloth();  // the body, where the last visitor hid it

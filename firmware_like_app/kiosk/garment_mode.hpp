@@ -17,12 +17,17 @@
 #include "firmware_like_app/garment/stick_finder.hpp"
 #include "firmware_like_app/kiosk/figure_views.hpp"
 #include "firmware_like_app/kiosk/garment_body.hpp"
+#include "firmware_like_app/kiosk/garment_body_files.hpp"
 #include "firmware_like_app/kiosk/garment_builder.hpp"
+#include "firmware_like_app/kiosk/garment_drape.hpp"
 #include "firmware_like_app/kiosk/garment_keeper.hpp"
+#include "firmware_like_app/kiosk/garment_objects.hpp"
 #include "firmware_like_app/kiosk/garment_sheet.hpp"
 #include "firmware_like_app/kiosk/garment_stepper.hpp"
 #include "firmware_like_app/kiosk/garment_trace.hpp"
 #include "firmware_like_app/kiosk/mode.hpp"
+#include "firmware_like_app/kiosk/own_fabrics.hpp"
+#include "firmware_like_app/kiosk/searcher.hpp"
 #include "ui/draw/painter.hpp"
 #include "ui/screens/garment_screen.hpp"
 
@@ -35,6 +40,9 @@ struct GarmentOptions {
     std::filesystem::path designs;    ///< file in which designs are kept; empty: they go with the visitor
     std::filesystem::path export_to;  ///< folder; empty: the USB stick
     std::string models;               ///< index in which placed objects are looked up; empty: none
+    ModelSource model_source = {};    ///< in its place, where it is given
+    std::filesystem::path bodies;     ///< folder of bodies to choose from; empty: none
+    std::filesystem::path fabrics;    ///< folder of pictures of fabrics; empty: none
     int bin_days = 30;
     std::filesystem::path record;  ///< folder for a trace of each visit; empty: none
     /// Gives the desk of an empty design on a body of that size, called on a thread of its own; none: it is made.
@@ -73,6 +81,17 @@ class GarmentMode final : public Mode {
     /// The design as it stands.
     [[nodiscard]] core::Design design();
     [[nodiscard]] core::GarmentDesk& desk();
+    /// A model that was found goes on the figure, chosen, so that it can be moved at once. Waits for the figure.
+    void wear(const FoundModel& found, std::int64_t now_us);
+    /// The same of a recording.
+    void place(const core::PlacedObject& object, std::int64_t now_us);
+    /// The gallery, while it is on the screen.
+    [[nodiscard]] const GalleryDesk* gallery() const { return gallery_open_ ? gallery_.get() : nullptr; }
+    [[nodiscard]] ExportState export_state() const { return exporter_.state(); }
+
+    /// After so many acts of the history.
+    void go_to(std::size_t acts, std::int64_t now_us) { take_reply(desk().go_to(acts), now_us); }
+
     /// The visitor pressed Find.
     [[nodiscard]] bool take_find_wish() { return std::exchange(find_wanted_, false); }
     /// Ends what moves and makes what is due: cloth, small pictures.
@@ -89,7 +108,7 @@ class GarmentMode final : public Mode {
     GarmentMode(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages, const GarmentOptions& options,
                 ui::SizePx screen, ui::Painter painter, FigureViews views);
     /// What the pointer does between its down and its up.
-    enum class Hold { None, Board, Drawing, Turning, Moving, Folds, Measure, Number, List, Gesture };
+    enum class Hold { None, Board, Drawing, Turning, Moving, Folds, Measure, Number, List, Gesture, Object };
 
     // desk
     void ready_desk();
@@ -105,7 +124,24 @@ class GarmentMode final : public Mode {
     [[nodiscard]] ui::FabricLook look_of(const std::string& piece, int layer) const;
     [[nodiscard]] std::string piece_for_folds() const;
 
+    // the garment under gravity
+    void press_drape();
+    void put_back();
+    void follow_drape(std::int64_t now_us);
+    [[nodiscard]] bool can_hang() const;
+
+    // what the figure wears beside cloth
+    void show_objects();
+    [[nodiscard]] const std::vector<core::PlacedObject>& objects() const { return desk_->state().look().objects; }
+    [[nodiscard]] std::optional<ui::ObjectHandles> object_handles() const;
+    bool hold_object(const ui::WindowEvent& event);
+    void let_object_go(std::int64_t now_us);
+    void press_object_row(std::size_t row);
+    void unplace_row(std::size_t row, std::int64_t now_us);
+    void fill_object_rows(ui::GarmentState& state) const;
+
     // pointer
+    bool ready_recorder(std::int64_t now_us);
     void record(const ui::WindowEvent& event);
     void gesture(const ui::WindowEvent& event);
     void repeat_until(std::int64_t now_us);
@@ -137,6 +173,11 @@ class GarmentMode final : public Mode {
     void choose_colour(std::size_t colour, std::int64_t now_us);
     void try_body();
     void keep_body(std::int64_t now_us);
+    void act_on_body(const ui::GarmentIntent& intent, std::int64_t now_us);
+    void open_pad(std::size_t slider);
+    void press_pad(std::size_t key);
+    void end_pad(std::int64_t now_us);
+    void take_own_body(std::int64_t now_us);
     void clear_design(std::int64_t now_us);
     void undo(std::int64_t now_us);
     void undo_new();
@@ -180,10 +221,14 @@ class GarmentMode final : public Mode {
     ui::Painter painter_;
     FigureViews views_;
     GarmentBuilder builder_;
+    GarmentDrape drape_;
+    HangingPlaces hanging_;                                // as shown
+    bool hanging_wanted_ = false;                          // hangs as soon as its cloth is there
     std::future<core::Result<core::GarmentDesk>> coming_;  // the desk of an empty design
     std::optional<core::GarmentDesk> desk_;
     std::string failure_;  // why there is no desk
     std::vector<std::shared_ptr<const core::Cloth>> textured_;
+    mutable GarmentObjects objects_;  // looks models up when they are first seen
 
     ui::GarmentTool tool_ = ui::GarmentTool::OnBody;
     std::size_t page_ = 0;
@@ -191,6 +236,11 @@ class GarmentMode final : public Mode {
     bool quads_ = true, body_shown_ = true, history_shown_ = false;
     ui::GarmentDrawer drawer_ = ui::GarmentDrawer::None;
     GarmentBody body_;
+    GarmentBodyFiles body_files_;
+    std::optional<std::size_t> typed_;  // slider whose number is being written
+    ui::NumberEdit number_;
+    bool number_wrong_ = false;
+    OwnFabrics own_fabrics_;
     std::string body_problem_, problem_;
     std::vector<std::pair<core::DeskNote, std::string>> notes_;  // at a place, with its words' key
     std::optional<core::TapeReading> tape_;

@@ -67,6 +67,9 @@ void GarmentMode::act(const ui::GarmentIntent& intent, std::int64_t now_us) {
         case A::RowDown:
             move_row(intent.index, intent.action == A::RowUp ? 1 : -1, now_us);
             break;
+        case A::Unplace:
+            unplace_row(intent.index, now_us);
+            break;
         case A::AddLayer:
             take_reply(desk_->new_layer(), now_us);
             scroll_px_ = 0;
@@ -90,12 +93,15 @@ void GarmentMode::act(const ui::GarmentIntent& intent, std::int64_t now_us) {
             open_drawer(ui::GarmentDrawer::Layers);
             break;
         case A::CloseDrawer:
-        case A::Done:
-            open_drawer(ui::GarmentDrawer::None);
+        case A::Done:  // from the list of bodies back to the measures
+            open_drawer(drawer_ == ui::GarmentDrawer::OwnBody ? ui::GarmentDrawer::Body : ui::GarmentDrawer::None);
             break;
         case A::Quads:
             quads_ = !quads_;
             views_.set_quads(quads_);
+            break;
+        case A::Drape:
+            press_drape();
             break;
         case A::ExportAs:
             export_as(intent.index);
@@ -117,6 +123,17 @@ void GarmentMode::act(const ui::GarmentIntent& intent, std::int64_t now_us) {
             body_.reset();
             keep_body(now_us);
             break;
+        case A::TypeMeasure:
+        case A::PadKey:
+        case A::PadCancel:
+        case A::PadDone:
+        case A::OwnBody:
+        case A::BodyFile:
+        case A::BodyUp:
+        case A::BodyEarlier:
+        case A::BodyLater:
+            act_on_body(intent, now_us);
+            break;
         case A::Fabric:
             choose_fabric(intent.index, now_us);
             break;
@@ -132,6 +149,8 @@ void GarmentMode::choose_tool(ui::GarmentTool tool, std::int64_t now_us) {
     problem_.clear();
     notes_.clear();
     tape_.reset();
+    put_back();
+    objects_.choose("");
     drawing_due_ = true;
     if (tool == ui::GarmentTool::Mirror) {  // a switch, not a pen
         take_reply(desk_->set_mirror(!desk_->state().look().mirror), now_us);
@@ -159,7 +178,9 @@ void GarmentMode::choose_view(std::size_t tile) {
 }
 
 std::optional<std::size_t> GarmentMode::layer_of_row(std::size_t row) const {
-    const std::size_t count = desk_->layers().size();
+    const std::size_t above = objects().size(), count = desk_->layers().size();
+    if (row < above) return std::nullopt;
+    row -= above;
     if (row >= count) return std::nullopt;  // the body
     return count - 1 - row;
 }
@@ -170,8 +191,10 @@ void GarmentMode::press_row(std::size_t row, std::int64_t now_us) {
         if (row <= acts) take_reply(desk_->go_to(acts - row), now_us);
         return;
     }
+    if (row < objects().size()) return press_object_row(row);
     const std::optional<std::size_t> place = layer_of_row(row);
     if (!place) return;
+    objects_.choose("");
     const core::LayerRow layer = desk_->layers()[*place];
     piece_ = layer.regions.empty() ? "" : layer.regions.back();
     line_.clear();
@@ -196,6 +219,7 @@ void GarmentMode::move_row(std::size_t row, int by, std::int64_t now_us) {
 
 void GarmentMode::open_drawer(ui::GarmentDrawer drawer) {
     drawer_ = drawer;
+    typed_.reset();
     body_problem_.clear();
     scroll_px_ = 0;
 }
@@ -239,7 +263,12 @@ void GarmentMode::dye(const std::function<void(core::ClothMaterial&)>& change, s
 }
 
 void GarmentMode::choose_fabric(std::size_t fabric, std::int64_t now_us) {
-    if (fabric >= ui::kFabricCount) return;
+    if (fabric >= ui::kFabricCount) {
+        const std::size_t own = fabric - ui::kFabricCount;
+        if (own >= own_fabrics_.fabrics.size()) return;
+        const std::string picture = own_fabrics_.fabrics[own].picture;
+        return dye([&](core::ClothMaterial& material) { material.fabric = picture; }, now_us);
+    }
     const auto chosen = static_cast<ui::Fabric>(fabric);
     const std::string name = chosen == ui::Fabric::Plain ? "" : std::string(ui::fabric_name(chosen));
     dye([&](core::ClothMaterial& material) { material.fabric = name; }, now_us);

@@ -82,6 +82,7 @@ void GarmentMode::fill_export(ui::GarmentState& state) const {
 
 /// For the design's card.
 void GarmentMode::keep_picture() {
+    put_back();
     if (desk_ && keeper_.id() != 0) keeper_.set_thumbnail(views_.thumbnail());
 }
 

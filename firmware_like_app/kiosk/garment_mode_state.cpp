@@ -53,6 +53,10 @@ const char* key_of(core::DesignStep::Kind kind) {
             return "tool_mirror";
         case K::Body:
             return "body";
+        case K::Place:
+            return "step_object";
+        case K::Unplace:
+            return "step_object_off";
         case K::Edges:
             return "quads_size";
         default:
@@ -68,6 +72,7 @@ std::string GarmentMode::piece_for_folds() const {
 }
 
 void GarmentMode::fill_rows(ui::GarmentState& state) const {
+    fill_object_rows(state);
     const std::vector<core::LayerRow> layers = desk_->layers();
     for (std::size_t k = layers.size(); k-- > 0;) {
         const core::LayerRow& layer = layers[k];
@@ -155,15 +160,29 @@ void GarmentMode::fill_drawer(ui::GarmentState& state) const {
         state.body = body_.drawer();
         if (hold_ == Hold::Measure) state.body.held = slider_;
         state.body.problem = body_problem_;
+        state.body.own_bodies = body_files_.offered();
+        state.body.own_body = desk_ && !desk_->state().worn()->form.measures;
+        if (state.body.own_body) state.body.size.reset();
+        state.body.typed = typed_;
+        state.body.number = number_;
+        state.body.number_wrong = number_wrong_;
     }
+    if (drawer_ == ui::GarmentDrawer::OwnBody) state.body_files = body_files_.state();
     if (drawer_ != ui::GarmentDrawer::Fabric || !desk_) return;
     const std::vector<std::string> pieces = pieces_to_dye();
     const ui::FabricLook look = pieces.empty() ? ui::FabricLook{} : look_of(pieces.back(), desk_->layer());
     for (int i = 0; i < ui::kFabricCount; ++i) {
         const auto fabric = static_cast<ui::Fabric>(i);
         state.fabrics.push_back({words()["fabric_" + std::string(ui::fabric_name(fabric))],
-                                 ui::PictureId{kFirstFabric + i}, !pieces.empty() && look.fabric == fabric});
+                                 ui::PictureId{kFirstFabric + i},
+                                 !pieces.empty() && look.picture.empty() && look.fabric == fabric});
     }
+    for (std::size_t i = 0; i < own_fabrics_.fabrics.size(); ++i) {
+        const OwnFabric& own = own_fabrics_.fabrics[i];
+        state.fabrics.push_back({own.name, ui::PictureId{kFirstFabric + ui::kFabricCount + static_cast<int>(i)},
+                                 !pieces.empty() && look.picture == own.picture});
+    }
+    state.fabric_problem = own_fabrics_.problem;
     state.colour = ui::kSwatches.size();
     for (std::size_t i = 0; i < ui::kSwatches.size(); ++i) {
         if (look.colour == ui::Colour::hex(ui::kSwatches[i])) state.colour = i;
@@ -190,6 +209,7 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     state.figure_revision = views_.revision();
     state.problem = !body_problem_.empty() ? body_problem_ : problem_;
     if (state.problem.empty()) state.problem = keeper_.problem();
+    if (state.problem.empty()) state.problem = objects_.problem();
     state.line_open = hold_ == Hold::Drawing;
     fill_drawer(state);
     fill_export(state);
@@ -208,8 +228,11 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     state.line_goes_on = desk_->goes_on();
     state.can_undo = desk_->can_undo() || state.line_goes_on || put_away_;
     state.can_redo = desk_->can_redo();
-    state.empty = desk_->network().lines().empty();
+    state.empty = desk_->network().lines().empty() && objects().empty();
     state.mirror = desk_->state().look().mirror;
+    state.hanging = hanging_wanted_;
+    state.can_hang = can_hang();
+    state.object = object_handles();
     fill_rows(state);
     if (history_shown_) fill_history(state);
     state.folds_name = "";
@@ -222,6 +245,11 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     }
     for (std::size_t i = 0; i < washes_.size(); ++i) {
         state.washes.push_back({ui::PictureId{kFirstWash + static_cast<int>(i)}, washes_[i].rect, washes_[i].colour});
+    }
+    if (hanging_wanted_) {  // lines lie where the cloth was drawn
+        fill_stroke(state);
+        state.scroll_px = std::min(state.scroll_px, ui::GarmentScreen::most_scroll_px(state, layout_));
+        return state;
     }
     state.lines = drawing_.lines;
     state.handles_px = drawing_.handles_px;
@@ -289,6 +317,14 @@ void GarmentMode::make_fabric_tiles() {
         look.fabric = static_cast<ui::Fabric>(i);
         look.colour = ui::Colour::hex(ui::kSwatches[1]);
         painter_.set_picture(ui::PictureId{kFirstFabric + i}, &views_.fabric_tile(look));
+    }
+    for (std::size_t i = 0; i < own_fabrics_.fabrics.size(); ++i) {
+        const OwnFabric& own = own_fabrics_.fabrics[i];
+        views_.set_own_fabric(own.picture, own.tile);
+        ui::FabricLook look;
+        look.picture = own.picture;
+        painter_.set_picture(ui::PictureId{kFirstFabric + ui::kFabricCount + static_cast<int>(i)},
+                             &views_.fabric_tile(look));
     }
 }
 

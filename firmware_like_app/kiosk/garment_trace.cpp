@@ -30,6 +30,58 @@ std::string zoom_mark(const ui::WindowEvent& event) {
     return text.data();
 }
 
+/// In one word: what is no letter, digit or a mark of its own as % and two hexadecimal digits.
+std::string one_word(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte > 0x20 && byte < 0x7F && c != '%') {
+            out += c;
+            continue;
+        }
+        std::array<char, 4> code{};
+        std::snprintf(code.data(), code.size(), "%%%02X", byte);
+        out += code.data();
+    }
+    return out;
+}
+
+std::string from_one_word(const std::string& word) {
+    std::string out;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        unsigned int byte = 0;
+        if (word[i] == '%' && std::sscanf(word.c_str() + i + 1, "%2x", &byte) == 1) {
+            out += static_cast<char>(byte);
+            i += 2;
+        } else {
+            out += word[i];
+        }
+    }
+    return out;
+}
+
+std::string place_mark(const core::PlacedObject& o) {
+    std::array<char, 240> numbers{};
+    std::snprintf(numbers.data(), numbers.size(), "place %.17g %.17g %.17g %.17g %.17g %.17g %.17g ", o.at.x, o.at.y,
+                  o.at.z, o.scale, o.turn.x, o.turn.y, o.turn.z);
+    return numbers.data() + one_word(o.name) + " " + one_word(o.model);
+}
+
+std::optional<core::PlacedObject> placed_of(const std::string& mark) {
+    core::PlacedObject o;
+    int end = 0;
+    if (std::sscanf(mark.c_str(), "place %lf %lf %lf %lf %lf %lf %lf %n", &o.at.x, &o.at.y, &o.at.z, &o.scale,
+                    &o.turn.x, &o.turn.y, &o.turn.z, &end) != 7) {
+        return std::nullopt;
+    }
+    const std::string names = mark.substr(static_cast<std::size_t>(end));
+    const std::size_t gap = names.find(' ');
+    if (gap == std::string::npos || gap == 0 || gap + 1 == names.size()) return std::nullopt;
+    o.name = from_one_word(names.substr(0, gap));
+    o.model = from_one_word(names.substr(gap + 1));
+    return o;
+}
+
 const input::TraceMarker* first_mark(const input::Trace& trace) {
     for (const input::TraceRecord& record : trace.records) {
         if (const auto* mark = std::get_if<input::TraceMarker>(&record)) return mark;
@@ -157,6 +209,10 @@ void GarmentRecorder::record(const ui::WindowEvent& event) {
     recorder_->record(sampled, *pointer_);
 }
 
+void GarmentRecorder::place(const core::PlacedObject& object, std::int64_t now_us) {
+    recorder_->mark(now_us * 1000, place_mark(object));
+}
+
 bool is_garment_trace(const input::Trace& trace) {
     const input::TraceMarker* mark = first_mark(trace);
     return mark != nullptr && mark->text.rfind("garment ", 0) == 0;
@@ -200,6 +256,10 @@ core::Result<GarmentReplay> garment_replay(const input::Trace& trace, std::strin
             continue;
         }
         const input::TraceMarker& marked = *std::get<const input::TraceMarker*>(record);
+        if (std::optional<core::PlacedObject> placed = placed_of(marked.text)) {
+            replay.placed.push_back({replay.events.size(), std::move(*placed)});
+            continue;
+        }
         const std::optional<ui::WindowEvent> event = event_of(marked);
         if (!event) continue;
         add(*event, marked.time_ns);

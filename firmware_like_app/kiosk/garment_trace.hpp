@@ -2,7 +2,9 @@
 // What pointed while garments were drawn, as a trace that draws the same design again.
 //
 // The trace's first mark is `garment 1 1920x1080 en right`: version, screen, language, hand. Samples are shares of that
-// screen. Zooming, two fingers and what the window takes away are marks: `zoom D X Y SX SY`, `take back`, `cancel`.
+// screen. Zooming, two fingers and what the window takes away are marks: `zoom D X Y SX SY`, `take back`, `cancel`. So
+// is a model that was found and put on the figure: `place X Y Z SCALE RX RY RZ NAME MODEL`, both names with `%20` for a
+// space.
 
 #include <cstdint>
 #include <filesystem>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/garment/design.hpp"
 #include "input/trace/trace.hpp"
 #include "input/trace/trace_recorder.hpp"
 #include "ui/gl/window.hpp"
@@ -32,8 +35,9 @@ class GarmentRecorder {
     [[nodiscard]] static core::Result<std::unique_ptr<GarmentRecorder>> create(const std::filesystem::path& file,
                                                                                const GarmentStart& start,
                                                                                std::int64_t now_us);
-    /// Never waits.
+    /// Neither waits.
     void record(const ui::WindowEvent& event);
+    void place(const core::PlacedObject& object, std::int64_t now_us);
 
   private:
     class Pointer;
@@ -48,6 +52,12 @@ struct GarmentReplay {
     std::string name;
     GarmentStart start;
     std::vector<ui::WindowEvent> events;  ///< times from the first
+    /// Objects put on the figure, in order, each before the event of this number (or, with their count, after all).
+    struct Placed {
+        std::size_t before = 0;
+        core::PlacedObject object;
+    };
+    std::vector<Placed> placed;
 };
 
 /// Whether a trace was recorded in Garment.

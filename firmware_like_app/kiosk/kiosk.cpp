@@ -291,11 +291,16 @@ class Loop {
         shell_.open_sheet(start_us);
         shell_.open_garment(true, start_us);
         garment_.wipe(language_named(replay.start.language), replay.start.hand);
-        std::size_t next = 0, mark = 0;
+        std::size_t next = 0, mark = 0, placed = 0;
+        const auto place_due = [&] {
+            for (; placed < replay.placed.size() && replay.placed[placed].before <= next; ++placed)
+                garment_.place(replay.placed[placed].object, surface_.now_us());
+        };
         while (next < replay.events.size() && failure_ && !ended_) {
             const std::int64_t now_us = surface_.now_us();
             shell_.pen_near(true, now_us);
             for (; next < replay.events.size() && start_us + replay.events[next].time_us <= now_us; ++next) {
+                place_due();
                 play(replay.events[next], replay.start.screen, start_us);
             }
             for (const ui::WindowEvent& event : surface_.poll()) handle(event);
@@ -306,7 +311,8 @@ class Loop {
                 shoot_garment(replay.name, kMarks[mark - 1]);
             }
         }
-        if (mark < kMarks.size()) shoot_garment(replay.name, kMarks.back());
+        place_due();
+        if (mark < kMarks.size() || replay.events.empty()) shoot_garment(replay.name, kMarks.back());
         keep_design(replay.name);
     }
 
@@ -538,6 +544,8 @@ core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost&
     garment_options.record = options.record;
     if (!options.headless) garment_options.designs = options.config.garment.designs;
     garment_options.export_to = options.config.garment.export_to;
+    garment_options.bodies = options.config.garment.bodies;
+    garment_options.fabrics = options.config.garment.fabrics;
     garment_options.models = options.config.collection.database;
     garment_options.bin_days = static_cast<int>(options.config.garment.bin_days);
     core::Result<std::unique_ptr<GarmentMode>> garment =

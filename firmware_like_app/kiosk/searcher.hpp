@@ -26,6 +26,7 @@ struct FoundModel {
     std::int64_t id = 0;
     std::string name;
     std::string class_name;
+    std::string source;  ///< what the collection knows it by, no other model has it; empty: its name
     double distance = 0;
     std::shared_ptr<const core::TriangleMesh> mesh;  ///< normalised frame, see core/views/camera.hpp
     core::Camera camera;                             ///< the view that matched

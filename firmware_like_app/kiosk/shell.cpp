@@ -159,6 +159,7 @@ void Shell::open_detail(const FindMode::OpenedCard& card, std::int64_t now_us) {
     const std::vector<FoundModel>& best = answer->answer.best;
     const auto model = std::find_if(best.begin(), best.end(), [&](const FoundModel& m) { return m.id == card.model; });
     if (model == best.end()) return;  // a newer answer has come meanwhile, and its cards are about to
+    detail_.offer_wear(garment_offered());
     detail_.open(answer, static_cast<std::size_t>(model - best.begin()), find_.sketch().drawing(), card.picture,
                  screen_, mode().hand(), now_us, painter_);
     station_.open_detail(now_us);
@@ -311,6 +312,9 @@ void Shell::act(const ui::Intent& intent, std::int64_t now_us) {
         case ui::Control::KeepDrawing:
             station_.keep_drawing(now_us);
             break;
+        case ui::Control::Wear:
+            wear(now_us);
+            break;
         case ui::Control::Digit:
             enter_digit(static_cast<char>('0' + intent.item), now_us);
             break;
@@ -326,6 +330,16 @@ void Shell::act(const ui::Intent& intent, std::int64_t now_us) {
         default:
             break;
     }
+}
+
+/// The result that is open goes on the figure, and the visitor with it.
+void Shell::wear(std::int64_t now_us) {
+    if (!garment_offered() || !detail_.is_open()) return;
+    const FoundModel found = detail_.found();
+    station_.keep_drawing(now_us);
+    go_on(now_us);
+    open_garment(true, now_us);
+    options_.garment->wear(found, now_us);
 }
 
 void Shell::cancel_pointer(std::int64_t now_us) {

@@ -107,6 +107,7 @@ class Shell {
     void enter_digit(char digit, std::int64_t now_us);
     void take_wishes(std::int64_t now_us);
     void take_settings(const Config& config);
+    void wear(std::int64_t now_us);
     void open_detail(const FindMode::OpenedCard& card, std::int64_t now_us);
     void press(const ui::WindowEvent& event);
     void release(const ui::WindowEvent& event);

@@ -186,12 +186,20 @@ void play(KioskStand& kiosk, const app::GarmentReplay& replay) {
     kiosk.shell->open_sheet(kiosk.now_us);
     kiosk.shell->open_garment(true, kiosk.now_us);
     const std::int64_t start_us = kiosk.now_us;
-    for (ui::WindowEvent event : replay.events) {
+    std::size_t placed = 0;
+    const auto place_before = [&](std::size_t event) {
+        for (; placed < replay.placed.size() && replay.placed[placed].before <= event; ++placed)
+            kiosk.garment->place(replay.placed[placed].object, kiosk.now_us);
+    };
+    for (std::size_t i = 0; i < replay.events.size(); ++i) {
+        place_before(i);
+        ui::WindowEvent event = replay.events[i];
         event.time_us += start_us;
         kiosk.shell->pointer(event);
         kiosk.now_us = event.time_us;
         kiosk.shell->update(kiosk.now_us);
     }
+    place_before(replay.events.size());
 }
 
 }  // namespace test

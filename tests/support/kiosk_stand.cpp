@@ -46,7 +46,8 @@ StandBase::StandBase()
 }
 
 KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOptions find_options,
-                       const std::filesystem::path& record, std::shared_ptr<StandBase> base)
+                       const std::filesystem::path& record, std::shared_ptr<StandBase> base,
+                       app::GarmentOptions garment_options)
     : base_(base ? std::move(base) : std::make_shared<StandBase>()),
       languages(base_->languages),
       collection(&base_->figures),
@@ -58,12 +59,11 @@ KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOp
     find_options.language = options.language;
     find_options.hand = options.hand;
     find = value_of(app::FindMode::create(base_->fonts, languages, &collection.searcher(), find_options, size));
-    app::GarmentOptions garment_options;
     garment_options.language = options.language;
     garment_options.hand = options.hand;
     garment_options.every_frame_seen = false;
     garment_options.record = record;
-    garment_options.first_desk = desk_on_known_body;
+    if (garment_options.bodies.empty()) garment_options.first_desk = desk_on_known_body;
     garment = value_of(app::GarmentMode::create(base_->fonts, languages, garment_options, size));
     options.garment = garment.get();
     shell = value_of(app::Shell::create(base_->fonts, languages, *find, &collection.searcher(), options, size, now_us));

@@ -27,10 +27,11 @@ struct StandBase {
 class KioskStand {
   public:
     /// A small collection of built animals. Throws std::runtime_error with the sentence of what is missing.
-    /// `record`: a folder for what is drawn in Garment.
-    /// `base`: of earlier stands; one of its own without.
+    /// `record`: a folder for what is drawn in Garment. `base`: of earlier stands; one of its own without. Of `garment`
+    /// what this stand does not set itself counts.
     explicit KioskStand(ui::SizePx size, app::ShellOptions options = {}, app::FindOptions find_options = {},
-                        const std::filesystem::path& record = {}, std::shared_ptr<StandBase> base = nullptr);
+                        const std::filesystem::path& record = {}, std::shared_ptr<StandBase> base = nullptr,
+                        app::GarmentOptions garment = {});
 
     /// Frames of 1/60 s until that time is over; of 1/10 s where it is longer than five seconds.
     void wait(double seconds);

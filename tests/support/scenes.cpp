@@ -213,7 +213,27 @@ std::vector<ui::SizePx> all_sizes() {
     return {{1920, 1080}, {1280, 800}, {3840, 2160}, {1080, 1920}};
 }
 
+std::unique_ptr<KioskStand> stand_for(const NamedScene& scene, ui::SizePx size, std::shared_ptr<StandBase> base) {
+    return std::make_unique<KioskStand>(size, scene.options, app::FindOptions{}, std::filesystem::path{},
+                                        std::move(base),
+                                        scene.garment_options ? scene.garment_options() : app::GarmentOptions{});
+}
+
+std::vector<core::RgbaImage> pictures_of(const NamedScene& scene, ui::SizePx size,
+                                         const std::shared_ptr<StandBase>& base) {
+    const std::unique_ptr<KioskStand> kiosk = stand_for(scene, size, base);
+    scene.go(*kiosk);
+    std::vector<core::RgbaImage> pictures;
+    if (!scene.step) {
+        pictures.push_back(kiosk->picture());
+        return pictures;
+    }
+    for (std::size_t k = 0; scene.step(*kiosk, k); ++k) pictures.push_back(kiosk->picture());
+    return pictures;
+}
+
 bool is_kept_at(const NamedScene& scene, ui::SizePx size) {
+    if (scene.upright && size == ui::SizePx{1080, 1920}) return true;
     if (scene.garment) return size == ui::SizePx{1920, 1080} || size == ui::SizePx{1280, 800};
     return size.width <= 2000 || scene.large;
 }

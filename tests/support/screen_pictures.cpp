@@ -32,13 +32,15 @@ int main(int argc, char** argv) {
         if (!only.empty() && scene.name.find(only) == std::string::npos) continue;
         for (const ui::SizePx size : sizes) {
             if (all && scene.garment && !test::is_kept_at(scene, size)) continue;
-            test::KioskStand kiosk(size, scene.options, {}, {}, base);
-            scene.go(kiosk);
-            const std::filesystem::path file =
-                folder / (scene.name + "-" + std::to_string(size.width) + "x" + std::to_string(size.height) + ".png");
-            if (!core::write_png(file, kiosk.picture())) return 1;
-            std::printf("%s\n", file.string().c_str());
-            std::fflush(stdout);
+            const std::string at = "-" + std::to_string(size.width) + "x" + std::to_string(size.height);
+            int number = 0;
+            for (const core::RgbaImage& picture : test::pictures_of(scene, size, base)) {
+                const std::string step = scene.step ? "-" + std::to_string(++number) : "";
+                const std::filesystem::path file = folder / (scene.name + step + at + ".png");
+                if (!core::write_png(file, picture)) return 1;
+                std::printf("%s\n", file.string().c_str());
+                std::fflush(stdout);
+            }
         }
     }
     return 0;

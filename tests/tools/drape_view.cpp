@@ -28,7 +28,9 @@ int main(int argc, char** argv) {
     const core::Garment garment = support::garment_of(*design, body, vertices);
     const core::Obstacle obstacle = *core::Obstacle::of_body(core::dress_form(body));
     const core::QuadMesh drawn = core::joined_layers(garment.layers);
-    core::Drape drape(drawn, obstacle, {}, core::banded(garment.layers, obstacle));
+    const std::vector<core::SewnVertex> sewn = core::sewn(garment.layers);
+    core::Drape drape(drawn, obstacle, {}, core::banded(garment.layers, obstacle), sewn);
+    std::printf("%zu vertices are sewn to cloth below\n", sewn.size());
     std::printf("%s: %zu vertices, sheets %.2f cm apart; as drawn %zu quads through the body, %zu through themselves\n",
                 name.c_str(), drawn.vertices.size(), drape.thickness_cm(),
                 core::mesh_crossings(drawn, body.mesh).size(), core::self_crossings(drawn).size());

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <thread>
 
 #include "core/garment/wardrobe.hpp"
 #include "tests/support/garment_hand.hpp"
@@ -26,6 +27,27 @@ double median_ms(int frames, const std::function<void(int)>& work) {
     }
     std::nth_element(times.begin(), times.begin() + frames / 2, times.end());
     return times[static_cast<std::size_t>(frames / 2)];
+}
+
+/// Three seconds under gravity on the drape's own thread, while this one looks for the newest places 60 times a second.
+void hang(test::KioskStand& kiosk) {
+    using Clock = std::chrono::steady_clock;
+    app::GarmentDrape drape(true);
+    const auto start = Clock::now();
+    drape.start(kiosk.garment->desk().cloth(), kiosk.garment->desk().state().worn(), 0);
+    int seen = 0, looks = 0;
+    double first_ms = 0, most_ms = 0;
+    while (Clock::now() - start < std::chrono::seconds(3)) {
+        const auto before = Clock::now();
+        const bool news = drape.take().has_value();
+        most_ms = std::max(most_ms, std::chrono::duration<double, std::milli>(Clock::now() - before).count());
+        if (news && seen++ == 0) first_ms = std::chrono::duration<double, std::milli>(before - start).count();
+        ++looks;
+        std::this_thread::sleep_until(start + looks * std::chrono::microseconds(16'667));
+    }
+    std::printf(
+        "it hangs: %.1f states a second came to the screen, the first after %.0f ms; a look took %.2f ms at most\n",
+        seen / 3.0, first_ms, most_ms);
 }
 
 }  // namespace
@@ -74,5 +96,6 @@ int main(int argc, char** argv) {
                     (void)kiosk.garment->update_ink();
                     paint(0);
                 }));
+    hang(kiosk);
     return 0;
 }

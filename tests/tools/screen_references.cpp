@@ -3,7 +3,8 @@
 //     screen_references FOLDER [NAME]       compares; exit code 1 when a screen differs, its picture beside as
 //     NAME.new.png UPDATE_GOLDEN=1 screen_references FOLDER [NAME]     writes the references anew, to be looked at
 //
-// A reference is small: the screen at its sizes side by side, each 120 pixels high. Screens may differ a little, as
+// A reference is small: the screen at its sizes side by side, each 120 pixels high; where a scene has several pictures,
+// those of a size in a row and the sizes below each other. Screens may differ a little, as
 // drivers and fonts do: by 2 of 255 in the mean, and by 20 in no block of 6 x 6 pixels.
 
 #include <png.h>
@@ -16,6 +17,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/exchange/png_writer.hpp"
 #include "tests/support/scenes.hpp"
@@ -51,26 +53,50 @@ core::RgbaImage smaller(const core::RgbaImage& image) {
     return out;
 }
 
-core::RgbaImage sheet_of(const test::NamedScene& scene, const std::shared_ptr<test::StandBase>& base) {
-    core::RgbaImage sheet;
-    sheet.height = kHeight;
-    std::vector<core::RgbaImage> pictures;
-    for (const ui::SizePx size : test::all_sizes()) {
-        if (!test::is_kept_at(scene, size)) continue;
-        test::KioskStand kiosk(size, scene.options, {}, {}, base);
-        scene.go(kiosk);
-        pictures.push_back(smaller(kiosk.picture()));
-        sheet.width += pictures.back().width + (pictures.size() > 1 ? kGap : 0);
+core::RgbaImage blank(int width, int height) {
+    core::RgbaImage image;
+    image.width = width;
+    image.height = height;
+    image.pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4, 255);
+    return image;
+}
+
+void put(core::RgbaImage& sheet, const core::RgbaImage& picture, int left, int top) {
+    for (int y = 0; y < picture.height; ++y) {
+        std::copy_n(picture.pixels.begin() + static_cast<std::ptrdiff_t>(at(picture, 0, y)), picture.width * 4,
+                    sheet.pixels.begin() + static_cast<std::ptrdiff_t>(at(sheet, left, top + y)));
     }
-    sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * kHeight * 4, 255);
+}
+
+/// Side by side.
+core::RgbaImage row_of(const std::vector<core::RgbaImage>& pictures) {
+    int width = 0;
+    for (const core::RgbaImage& picture : pictures) width += picture.width + (width > 0 ? kGap : 0);
+    core::RgbaImage row = blank(width, kHeight);
     int left = 0;
     for (const core::RgbaImage& picture : pictures) {
-        for (int y = 0; y < kHeight; ++y) {
-            std::copy_n(picture.pixels.begin() + static_cast<std::ptrdiff_t>(at(picture, 0, y)), picture.width * 4,
-                        sheet.pixels.begin() + static_cast<std::ptrdiff_t>(at(sheet, left, y)));
-        }
+        put(row, picture, left, 0);
         left += picture.width + kGap;
     }
+    return row;
+}
+
+core::RgbaImage sheet_of(const test::NamedScene& scene, const std::shared_ptr<test::StandBase>& base) {
+    std::vector<core::RgbaImage> pictures, rows;
+    for (const ui::SizePx size : test::all_sizes()) {
+        if (!test::is_kept_at(scene, size)) continue;
+        for (const core::RgbaImage& picture : test::pictures_of(scene, size, base)) {
+            pictures.push_back(smaller(picture));
+        }
+        if (!scene.step) continue;
+        rows.push_back(row_of(pictures));
+        pictures.clear();
+    }
+    if (!scene.step) return row_of(pictures);
+    int width = 0;
+    for (const core::RgbaImage& row : rows) width = std::max(width, row.width);
+    core::RgbaImage sheet = blank(width, static_cast<int>(rows.size()) * (kHeight + kGap) - kGap);
+    for (std::size_t k = 0; k < rows.size(); ++k) put(sheet, rows[k], 0, static_cast<int>(k) * (kHeight + kGap));
     return sheet;
 }
 

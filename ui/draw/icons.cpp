@@ -162,6 +162,18 @@ std::vector<Polyline> make_shaping_tool(Icon icon) {
         case Icon::Quads:
             return {Path({10, 4}).to(22, 4).to(28.5, 27).to(3.5, 27).close(), Path({16, 4}).to(16, 27),
                     Path({8, 11}).to(24, 11), Path({5.8, 19}).to(26.2, 19)};
+        case Icon::Drape:  // cloth over a rail
+            return {Path({3, 5}).to(29, 5),
+                    Path({7, 5})
+                        .to(6, 16)
+                        .round({5.4, 21}, {4, 26})
+                        .round({7.5, 29}, {10, 26.5})
+                        .round({13, 23.5}, {16, 26.5})
+                        .round({19, 29}, {22, 26.5})
+                        .round({25, 24}, {28, 26})
+                        .round({26.6, 21}, {26, 16})
+                        .to(25, 5),
+                    Path({13, 10}).to(12.4, 20), Path({19, 10}).to(19.6, 20)};
         default:
             return {};
     }

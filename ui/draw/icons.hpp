@@ -40,6 +40,7 @@ enum class Icon {
     Measure,
     Fabric,
     Quads,
+    Drape,
     Designs,
     Eye,
     EyeShut,

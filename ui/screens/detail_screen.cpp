@@ -111,6 +111,7 @@ class Drawer {
         list_.icon(Icon::Back, r.x + s_.px(44), r.centre_y(), s_.px(32), s_.px(32) / 32 * 2.2, palette::kInk);
         draw_fitted(list_, fonts_, words_["keep_drawing"], back, palette::kInk, r.x + s_.px(72),
                     r.centre_y() + cap_drop(back), r.width - s_.px(88), Align::Left);
+        if (state_.wear) wear(back);
     }
 
     void drawing() {
@@ -212,6 +213,15 @@ class Drawer {
     [[nodiscard]] float opened() const { return static_cast<float>(state_.opened); }
     [[nodiscard]] float dim(int colour) const { return state_.focus && *state_.focus != colour ? 0.25F : 1.0F; }
 
+    void wear(const TextStyle& style) {
+        const bool down = state_.pressed == Control::Wear;
+        const Rect r = down ? scaled(l_.wear, 0.97) : l_.wear;
+        list_.box(r, r.height / 2, down ? palette::kWell : palette::kSheet, palette::kLine, std::max(1.0, s_.px(2)));
+        list_.icon(Icon::OnBody, r.x + s_.px(44), r.centre_y(), s_.px(32), s_.px(32) / 32 * 2.2, palette::kInk);
+        draw_fitted(list_, fonts_, words_["wear_it"], style, palette::kInk, r.x + s_.px(72),
+                    r.centre_y() + cap_drop(style), r.width - s_.px(88), Align::Left);
+    }
+
     void card(const Rect& r, double radius, bool pressed) {
         const double line = std::max(1.0, s_.px(1));
         list_.box({r.x - line, r.y - line, r.width + 2 * line, r.height + 2 * line}, radius + line, palette::kNone,
@@ -259,6 +269,8 @@ DetailLayout detail_layout(SizePx screen, Hand hand) {
     const ScreenScale& s = l.scale;
     const double side = s.target(64), y = s.height() - s.px(40) - side;
     l.back.height = std::max(l.back.height, side);
+    l.wear = l.back;
+    l.wear.x += (hand == Hand::Right || s.upright ? 1 : -1) * (l.back.width + s.px(16));
     const double gap = s.px(16), x = hand == Hand::Right ? s.width() - s.px(40) - 2 * side - gap : l.sheet.x + s.px(40);
     l.smaller = {x, y, side, side};
     l.larger = {x + side + gap, y, side, side};
@@ -283,6 +295,7 @@ DrawList DetailScreen::draw(const DetailState& state, const DetailLayout& layout
 std::vector<BoardTouch::Target> DetailScreen::targets(const DetailState& state, const DetailLayout& l) const {
     std::vector<BoardTouch::Target> all{
         {Control::KeepDrawing, 0, l.back}, {Control::Smaller, 0, l.smaller}, {Control::Larger, 0, l.larger}};
+    if (state.wear) all.push_back({Control::Wear, 0, l.wear});
     for (std::size_t i = 0; i < std::min(state.similar.size(), kSimilarCount); ++i)
         all.push_back({Control::Card, i, l.similar[i]});
     for (const std::vector<DetailTag>* tags : {&state.model_tags, &state.drawing_tags}) {

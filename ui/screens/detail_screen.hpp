@@ -18,6 +18,7 @@ struct DetailLayout {
     ScreenScale scale;
     Hand hand = Hand::Right;
     Rect board, sheet, back, drawing;
+    Rect wear;  ///< beside the button that goes back
     std::array<Rect, kSimilarCount> similar;
     double your_drawing_y = 0, also_close_y = 0;  ///< baselines
     double name_x = 0, name_y = 0, caption_y = 0, text_width = 0;
@@ -60,6 +61,7 @@ struct DetailState {
     double azimuth = 0, elevation = 0;  ///< of the view, radians
     std::uint64_t view = 0;             ///< another number when the model's picture changed
     bool touched = false;               ///< the hint is not needed any more
+    bool wear = false;                  ///< the model can be put on the figure of Garment
     std::optional<int> focus;           ///< the part whose number is held
     std::optional<Control> pressed;
     std::size_t pressed_item = 0;

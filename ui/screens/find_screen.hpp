@@ -57,6 +57,7 @@ enum class Control {
     Mode,     ///< item: 0 Find, 1 Garment
     Garment,  ///< item: see garment_item
     Gallery,  ///< item: see gallery_item
+    Wear,     ///< the result that is open, on the figure of Garment
 };
 
 /// Everything that Find shows, as values.

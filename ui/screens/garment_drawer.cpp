@@ -18,7 +18,42 @@ Rect export_rect(const GarmentLayout& l, std::size_t i) {
             high};
 }
 
-/// Own mannequins are offered beside the sizes' end.
+/// Where a measure's number is pressed to be written: at the end of its name's line.
+Rect number_rect(const GarmentLayout& l, std::size_t i) {
+    const Rect& slider = l.drawer_sliders[i];
+    const double wide = l.px(190), top = l.drawer_label_baselines[i] - l.px(l.compact ? 24 : 34);
+    const double high = std::max(l.px(l.compact ? 34 : 46), 40.0);
+    return {slider.right() - wide, top, wide, high};
+}
+
+/// The number pad takes the place of the sliders.
+Rect pad_area(const GarmentLayout& l) {
+    const double top = l.drawer_sizes.bottom() + l.px(l.compact ? 8 : 24);
+    const double width = l.upright ? std::min(l.drawer_list.width, l.px(600)) : l.drawer_list.width;
+    return {l.drawer_list.x, l.upright ? l.drawer_sizes.y : top, width,
+            l.drawer_left.y - l.px(16) - (l.upright ? l.drawer_sizes.y : top)};
+}
+
+struct FilePlaces {
+    Rect up, earlier, later;
+    std::array<Rect, BodyFiles::kRows> rows;
+};
+FilePlaces file_places(const GarmentLayout& l) {
+    const double high = std::max(64.0, l.px(72)), gap = l.px(10);
+    const Rect& area = l.drawer_list;
+    FilePlaces at;
+    at.up = {area.x, area.y, std::max(64.0, l.px(72)), high};
+    const double end = l.drawer_left.y - high - gap * 2;
+    const double pitch = std::min(high + gap, (end - at.up.bottom() - gap) / static_cast<double>(BodyFiles::kRows));
+    for (std::size_t i = 0; i < at.rows.size(); ++i) {
+        at.rows[i] = {area.x, at.up.bottom() + gap + pitch * static_cast<double>(i), area.width,
+                      std::min(high, pitch - l.px(4))};
+    }
+    at.earlier = {area.x, end, high, high};
+    at.later = {area.x + high + gap, end, high, high};
+    return at;
+}
+
 class Drawer {
   public:
     Drawer(DrawList& list, const FontSet& fonts, const std::vector<Strings>& languages, const GarmentState& state,
@@ -46,8 +81,14 @@ class Drawer {
         const BodyDrawer& b = state_.body;
         std::vector<std::string> sizes = b.sizes;
         if (!sizes.empty()) sizes.back() = words_["men_m"];
-        const std::optional<std::size_t> pressed = pressed_index(GarmentAction::Size);
-        draw_switch(list_, fonts_, l_.drawer_sizes, sizes, b.size.value_or(sizes.size()), pressed,
+        if (b.typed && *b.typed < b.measures.size()) return pad(*b.typed);
+        std::optional<std::size_t> pressed = pressed_index(GarmentAction::Size);
+        const std::size_t own = sizes.size();
+        if (b.own_bodies || b.own_body) {
+            sizes.push_back(words_["own_body"]);
+            if (down(GarmentAction::OwnBody)) pressed = own;
+        }
+        draw_switch(list_, fonts_, l_.drawer_sizes, sizes, b.own_body ? own : b.size.value_or(sizes.size()), pressed,
                     type_.switched.size_px);
         for (std::size_t i = 0; i < b.measures.size(); ++i) measure(i);
         language_and_hand();
@@ -56,6 +97,58 @@ class Drawer {
                     ButtonKind::Quiet, down(GarmentAction::ResetBody), l_.px(2));
         draw_button(list_, fonts_, l_.drawer_right, words_["done"], type_.button, ButtonKind::Primary,
                     down(GarmentAction::Done), l_.px(2));
+    }
+
+    /// A measure to be written.
+    void pad(std::size_t i) {
+        const MeasureSlider& m = state_.body.measures[i];
+        const std::string range =
+            filled_in(words_["from_to"], {{"a", tenths_in(words_, m.least)}, {"b", tenths_in(words_, m.most)}});
+        draw_number_pad(list_, fonts_, words_, state_.body.number, words_[m.key], range, state_.body.number_wrong,
+                        number_pad_layout(pad_area(l_), l_.scale), l_.scale, pressed_index(GarmentAction::PadKey));
+        draw_button(list_, fonts_, l_.drawer_left, words_["cancel"], type_.button, ButtonKind::Quiet,
+                    down(GarmentAction::PadCancel), l_.px(2));
+        draw_button(list_, fonts_, l_.drawer_right, words_["done"], type_.button, ButtonKind::Primary,
+                    down(GarmentAction::PadDone), l_.px(2), state_.body.number.value().has_value());
+    }
+
+    void body_files() {
+        head(words_["own_body_title"]);
+        const BodyFiles& files = state_.body_files;
+        const FilePlaces at = file_places(l_);
+        const double size = l_.px(28);
+        if (files.up) {
+            list_.box(at.up, at.up.height / 2, down(GarmentAction::BodyUp) ? palette::kLine : palette::kWell);
+            list_.icon(Icon::Back, at.up.centre_x(), at.up.centre_y(), size, size / 32 * 2.4, palette::kInk);
+        }
+        const double x = at.up.x + (files.up ? at.up.width + l_.px(16) : 0.0);
+        draw_fitted(list_, fonts_, files.title, type_.row, palette::kMuted, x, at.up.centre_y() + cap_drop(type_.row),
+                    l_.drawer_list.right() - x, Align::Left);
+        for (std::size_t i = 0; i < std::min(files.rows.size(), at.rows.size()); ++i) {
+            const bool pressed = down(GarmentAction::BodyFile, i);
+            const Rect r = pressed ? scaled(at.rows[i], 0.97) : at.rows[i];
+            list_.box(r, l_.px(16), pressed ? palette::kWell : palette::kSheet, palette::kLine,
+                      std::max(1.0, l_.px(1)));
+            list_.icon(files.rows[i].folder ? Icon::Collection : Icon::OnBody, r.x + l_.px(38), r.centre_y(), size,
+                       size / 32 * 2.2, palette::kInk);
+            list_.text(fonts_, fonts_.cut(files.rows[i].name, type_.row, r.width - l_.px(90)), type_.row, palette::kInk,
+                       r.x + l_.px(70), r.centre_y() + cap_drop(type_.row));
+        }
+        if (files.all > BodyFiles::kRows) {
+            arrow(at.earlier, Icon::Up, GarmentAction::BodyEarlier, files.first > 0);
+            arrow(at.later, Icon::Down, GarmentAction::BodyLater, files.first + BodyFiles::kRows < files.all);
+        }
+        const std::string message = files.reading                             ? words_["own_body_reading"]
+                                    : files.problem.empty() && files.all == 0 ? words_["own_body_none"]
+                                                                              : files.problem;
+        double y = at.earlier.y + type_.row.size_px;
+        const double left = files.all > BodyFiles::kRows ? at.later.right() + l_.px(20) : at.earlier.x;
+        for (const std::string& line : fonts_.wrap(message, type_.caption, l_.drawer_list.right() - left)) {
+            list_.text(fonts_, line, type_.caption, files.problem.empty() ? palette::kMuted : palette::kSanguine, left,
+                       y);
+            y += type_.caption.size_px * 1.4;
+        }
+        done();
     }
 
     void fabrics() {
@@ -80,6 +173,14 @@ class Drawer {
             const Rect r = down(GarmentAction::Colour, i) ? scaled(at.colours[i], 0.97) : at.colours[i];
             list_.box(r, l_.px(16), Colour::hex(kSwatches[i]), state_.colour == i ? palette::kSanguine : palette::kEdge,
                       state_.colour == i ? std::max(3.0, l_.px(3)) : 1);
+        }
+        if (!state_.fabric_problem.empty()) {
+            const double wide = l_.drawer_right.x - l_.drawer_left.x - l_.px(16);
+            double y = l_.drawer_left.y + type_.caption.size_px;
+            for (const std::string& line : fonts_.wrap(state_.fabric_problem, type_.caption, wide)) {
+                list_.text(fonts_, line, type_.caption, palette::kSanguine, l_.drawer_left.x, y);
+                y += type_.caption.size_px * 1.3;
+            }
         }
         done();
     }
@@ -126,6 +227,13 @@ class Drawer {
                     down(GarmentAction::Done), l_.px(2));
     }
 
+    void arrow(const Rect& r, Icon icon, GarmentAction action, bool on) {
+        const double size = l_.px(28);
+        list_.box(r, r.height / 2, down(action) ? palette::kLine : palette::kWell);
+        list_.icon(icon, r.centre_x(), r.centre_y(), size, size / 32 * 2.4,
+                   palette::kInk.faded(on ? 1.0F : palette::kOffShare));
+    }
+
     void measure(std::size_t i) {
         const MeasureSlider& m = state_.body.measures[i];
         const Rect& r = l_.drawer_sliders[i];
@@ -135,7 +243,11 @@ class Drawer {
         name.face = Face::Medium;
         list_.text(fonts_, words_[m.key], name, palette::kInk.faded(a), r.x, y);
         const std::string unit = " cm";
-        const double wide = fonts_.width_px(unit, name);
+        const double wide = fonts_.width_px(unit, name) + l_.px(12);
+        const Rect box = number_rect(l_, i);  // it can be pressed
+        if (!state_.body.own_body) {
+            list_.box(box, box.height / 2, down(GarmentAction::TypeMeasure, i) ? palette::kLine : palette::kWell);
+        }
         list_.text(fonts_, unit, name, palette::kMuted.faded(a), r.right() - wide, y);
         list_.text(fonts_, tenths_in(words_, m.cm), type_.value, palette::kInk.faded(a), r.right() - wide, y,
                    Align::Right);
@@ -208,6 +320,9 @@ void draw_garment_drawer(DrawList& list, const FontSet& fonts, const std::vector
         case GarmentDrawer::Body:
             drawer.body();
             break;
+        case GarmentDrawer::OwnBody:
+            drawer.body_files();
+            break;
         case GarmentDrawer::Fabric:
             drawer.fabrics();
             break;
@@ -228,11 +343,24 @@ void add_drawer_targets(std::vector<BoardTouch::Target>& all, const GarmentState
     const auto add = [&](A action, std::size_t index, const Rect& rect) {
         all.push_back({Control::Garment, garment_item(action, index), rect});
     };
+    if (state.drawer == GarmentDrawer::Body && state.body.typed) {
+        const NumberPadLayout pad = number_pad_layout(pad_area(layout), layout.scale);
+        for (std::size_t i = 0; i < kPadKeys; ++i) add(A::PadKey, i, pad.keys[i]);
+        add(A::PadCancel, 0, layout.drawer_left);
+        if (state.body.number.value()) add(A::PadDone, 0, layout.drawer_right);
+        return;
+    }
     add(A::CloseDrawer, 0, layout.drawer_close);
     add(A::Done, 0, layout.drawer_right);
     if (state.drawer == GarmentDrawer::Body) {
-        const std::vector<Rect> sizes = switch_segments(layout.drawer_sizes, state.body.sizes.size());
-        for (std::size_t i = 0; i < sizes.size(); ++i) add(A::Size, i, sizes[i]);
+        const bool own = state.body.own_bodies || state.body.own_body;
+        const std::size_t count = state.body.sizes.size();
+        const std::vector<Rect> sizes = switch_segments(layout.drawer_sizes, count + (own ? 1 : 0));
+        for (std::size_t i = 0; i < count; ++i) add(A::Size, i, sizes[i]);
+        if (own && state.body.own_bodies) add(A::OwnBody, 0, sizes[count]);
+        for (std::size_t i = 0; i < kBodySliders && !state.body.own_body; ++i) {
+            add(A::TypeMeasure, i, number_rect(layout, i));
+        }
         for (std::size_t i = 0; i < kBodySliders && !state.body.own_body; ++i) {
             add(A::Measure, i, layout.drawer_sliders[i]);
         }
@@ -240,6 +368,15 @@ void add_drawer_targets(std::vector<BoardTouch::Target>& all, const GarmentState
         for (std::size_t i = 0; i < languages.size(); ++i) all.push_back({Control::Language, i, languages[i]});
         all.push_back({Control::HandSwitch, 0, layout.drawer_hand});
         add(A::ResetBody, 0, layout.drawer_left);
+    } else if (state.drawer == GarmentDrawer::OwnBody) {
+        const BodyFiles& files = state.body_files;
+        const FilePlaces at = file_places(layout);
+        if (files.up) add(A::BodyUp, 0, at.up);
+        for (std::size_t i = 0; i < std::min(files.rows.size(), at.rows.size()) && !files.reading; ++i) {
+            add(A::BodyFile, i, at.rows[i]);
+        }
+        if (files.first > 0) add(A::BodyEarlier, 0, at.earlier);
+        if (files.first + BodyFiles::kRows < files.all) add(A::BodyLater, 0, at.later);
     } else if (state.drawer == GarmentDrawer::Fabric) {
         const FabricPlaces at = fabric_places(layout, state.fabrics.size());
         for (std::size_t i = 0; i < at.fabrics.size(); ++i) add(A::Fabric, i, at.fabrics[i]);

@@ -91,7 +91,8 @@ class ListDrawer {
     void layer(std::size_t i, const Rect& r) {
         const LayerRow& row = state_.rows[i];
         if (row.selected) {
-            list_.box(r, l_.px(16), palette::kSheet, palette::kInk, l_.px(2));
+            // the layer that is worked on; in red the object that is held by its frame
+            list_.box(r, l_.px(16), palette::kSheet, row.object ? palette::kSanguine : palette::kInk, l_.px(2));
         } else if (down(GarmentAction::Row, i)) {
             list_.box(r, l_.px(16), palette::kWell);
         }
@@ -104,10 +105,14 @@ class ListDrawer {
             if (down(action, i)) list_.box(rect.shrunk(l_.px(6)), l_.px(16), palette::kWell);
             list_.icon(which, rect.centre_x(), rect.centre_y(), size, size / 32 * 2.2, colour);
         };
-        icon(at.eye, row.shown ? Icon::Eye : Icon::EyeShut, GarmentAction::Eye,
-             row.shown ? palette::kInk : palette::kMuted);
+        if (row.object) {
+            icon(at.eye, Icon::Close, GarmentAction::Unplace, palette::kInk);
+        } else {
+            icon(at.eye, row.shown ? Icon::Eye : Icon::EyeShut, GarmentAction::Eye,
+                 row.shown ? palette::kInk : palette::kMuted);
+        }
         double right = at.eye.x;
-        if (row.selected && !row.body && (row.can_up || row.can_down)) {
+        if (row.selected && !row.body && !row.object && (row.can_up || row.can_down)) {
             icon(at.down, Icon::Down, GarmentAction::RowDown,
                  palette::kInk.faded(row.can_down ? 1.0F : palette::kOffShare));
             icon(at.up, Icon::Up, GarmentAction::RowUp, palette::kInk.faded(row.can_up ? 1.0F : palette::kOffShare));
@@ -238,10 +243,10 @@ void add_list_targets(std::vector<BoardTouch::Target>& all, const GarmentState& 
         if (!state.history_shown) {
             const RowPlaces at = places_of(layout, r);
             const LayerRow& row = state.rows[i];
-            add(A::Eye, i, at.eye);
+            add(row.object ? A::Unplace : A::Eye, i, at.eye);
             if (row.selected && row.can_down) add(A::RowDown, i, at.down);
             if (row.selected && row.can_up) add(A::RowUp, i, at.up);
-            if (!row.body) add(A::Swatch, i, at.swatch);
+            if (!row.body && !row.object) add(A::Swatch, i, at.swatch);
         }
         add(A::Row, i, r);
     }

@@ -38,6 +38,8 @@ ToolFace face_of(const GarmentIntent& slot) {
             return kTools[slot.index];
         case GarmentAction::Quads:
             return {Icon::Quads, "tool_quads"};
+        case GarmentAction::Drape:
+            return {Icon::Drape, "tool_drape"};
         case GarmentAction::New:
             return {Icon::New, "tool_new"};
         case GarmentAction::Designs:
@@ -45,6 +47,11 @@ ToolFace face_of(const GarmentIntent& slot) {
         default:
             return {Icon::Fabric, "tool_fabric"};
     }
+}
+
+bool can_be_pressed(const GarmentIntent& slot, const GarmentState& state) {
+    if (slot.action == GarmentAction::New) return !state.empty;
+    return slot.action != GarmentAction::Drape || state.can_hang;
 }
 
 bool draws_lines(GarmentTool t) {
@@ -80,6 +87,7 @@ class Drawer {
             const core::Point& p = state_.handles_px[i];
             if (l_.sheet.contains(p.x, p.y)) draw_handle(list_, p, l_.scale, state_.held_handle == i);
         }
+        if (state_.object) object(*state_.object);
         brush();
         names();
         for (const PlacedNote& note : state_.notes) placed_note(note);
@@ -157,6 +165,23 @@ class Drawer {
         list_.ink(std::move(edge), palette::kSanguine.faded(0.45F), l_.sheet);
     }
 
+    /// A frame in the red of all that is live; its corners take hold.
+    void object(const ObjectHandles& o) {
+        SheetLine frame;
+        frame.kind = SheetLine::Kind::Tape;
+        frame.px = {{o.box.x, o.box.y},
+                    {o.box.right(), o.box.y},
+                    {o.box.right(), o.box.bottom()},
+                    {o.box.x, o.box.bottom()},
+                    {o.box.x, o.box.y}};
+        draw_sheet_line(list_, frame, l_.scale, l_.sheet);
+        if (l_.sheet.contains(o.scale.x, o.scale.y)) draw_handle(list_, o.scale, l_.scale, o.scaling);
+        if (!l_.sheet.contains(o.turn.x, o.turn.y)) return;
+        const double d = l_.px(o.turning ? 44 : 36), size = l_.px(22);
+        list_.box({o.turn.x - d / 2, o.turn.y - d / 2, d, d}, d / 2, palette::kSheet, palette::kSanguine, l_.px(3));
+        list_.icon(Icon::Turn, o.turn.x, o.turn.y, size, size / 32 * 3, palette::kSanguine);
+    }
+
     void brush() {
         if (state_.brush_px.size() < 3) return;
         SheetLine line;
@@ -168,6 +193,8 @@ class Drawer {
 
     [[nodiscard]] std::string where() const {
         const std::string view = words_[view_key(state_.view)];
+        if (state_.object && state_.tool != GarmentTool::Measure) return words_["object_hint"];
+        if (state_.hanging) return words_[state_.view == GarmentView::Solid ? "hangs_solid" : "hangs_flat"];
         if (state_.line_goes_on) return words_["line_goes_on"];
         const bool draws = state_.tool == GarmentTool::OnPlane || state_.tool == GarmentTool::OnBody;
         if (state_.view == GarmentView::Solid && (draws || state_.drawer != GarmentDrawer::None)) {
@@ -243,7 +270,7 @@ class Drawer {
         for (std::size_t i = 0; i < kGarmentSlots; ++i) {
             if (!slots[i] || (slots[i]->action == GarmentAction::Designs && !state_.designs_kept)) continue;
             const ToolFace face = face_of(*slots[i]);
-            const bool on = slots[i]->action != GarmentAction::New || !state_.empty;
+            const bool on = can_be_pressed(*slots[i], state_);
             tool_button(l_.tools[i], face.icon, words_[face.key], Control::Garment,
                         garment_item(slots[i]->action, slots[i]->index), chosen(*slots[i]), on);
         }
@@ -256,6 +283,7 @@ class Drawer {
 
     [[nodiscard]] bool chosen(const GarmentIntent& slot) const {
         if (slot.action == GarmentAction::Quads) return state_.quads;
+        if (slot.action == GarmentAction::Drape) return state_.hanging;
         if (slot.action != GarmentAction::Tool) return false;
         if (slot.index == static_cast<std::size_t>(GarmentTool::Mirror)) return state_.mirror;
         return slot.index == static_cast<std::size_t>(state_.tool);
@@ -375,7 +403,7 @@ std::array<std::optional<GarmentIntent>, kGarmentSlots> tools_of_page(std::size_
             GarmentIntent{A::Fabrics},
             GarmentIntent{A::Quads},
             tool(T::Measure),
-            std::nullopt,
+            GarmentIntent{A::Drape},
             std::nullopt,
             std::nullopt};
 }
@@ -413,7 +441,7 @@ std::vector<BoardTouch::Target> GarmentScreen::targets(const GarmentState& state
     all = mode_targets(layout.mode_switch);
     const auto slots = tools_of_page(state.page);
     for (std::size_t i = 0; i < kGarmentSlots; ++i) {
-        if (!slots[i] || (slots[i]->action == A::New && state.empty)) continue;
+        if (!slots[i] || !can_be_pressed(*slots[i], state)) continue;
         if (slots[i]->action == A::Designs && !state.designs_kept) continue;
         add(slots[i]->action, slots[i]->index, layout.tools[i]);
     }

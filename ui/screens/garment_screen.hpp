@@ -11,6 +11,7 @@
 #include "ui/draw/draw_list.hpp"
 #include "ui/screens/find_screen.hpp"
 #include "ui/screens/garment_layout.hpp"
+#include "ui/screens/number_pad.hpp"
 #include "ui/screens/sheet_line.hpp"
 #include "ui/screens/strings.hpp"
 
@@ -55,6 +56,7 @@ enum class GarmentAction {
     Swatch,
     RowUp,
     RowDown,
+    Unplace,  ///< index: row of an object
     AddLayer,
     Folds,
     Body,
@@ -65,11 +67,20 @@ enum class GarmentAction {
     Designs,
     Fabrics,
     Quads,
+    Drape,  ///< a switch: the garment hangs
     CloseDrawer,
-    Size,     ///< index: of the sizes
-    Measure,  ///< index: slider of the body drawer
+    Size,         ///< index: of the sizes
+    Measure,      ///< index: slider of the body drawer
+    TypeMeasure,  ///< index: the same, to write its number
+    PadKey,       ///< index: of the number pad
+    PadCancel,
+    PadDone,
     ResetBody,
-    OwnBody,
+    OwnBody,   ///< opens the list of own bodies
+    BodyFile,  ///< index: its row there
+    BodyUp,    ///< to the folder above
+    BodyEarlier,
+    BodyLater,
     Done,
     Fabric,    ///< index: in the list of fabrics
     Colour,    ///< index: of the swatches
@@ -88,7 +99,8 @@ struct LayerRow {
     std::string name;
     Colour swatch;
     bool shown = true, selected = false, clashing = false;
-    bool body = false;  ///< the last one: neither moved nor removed
+    bool body = false;    ///< the last one: neither moved nor removed
+    bool object = false;  ///< worn or carried: chosen by its row, taken off by its cross
     bool can_up = false, can_down = false;
     friend bool operator==(const LayerRow&, const LayerRow&) = default;
 };
@@ -100,7 +112,7 @@ struct HistoryRow {
     friend bool operator==(const HistoryRow&, const HistoryRow&) = default;
 };
 
-enum class GarmentDrawer { None, Body, Fabric, Layers, Export };
+enum class GarmentDrawer { None, Body, OwnBody, Fabric, Layers, Export };
 
 /// One measure of the drawer.
 struct MeasureSlider {
@@ -115,9 +127,31 @@ struct BodyDrawer {
     std::size_t last_size = 0;        ///< what Reset goes back to
     std::array<MeasureSlider, kBodySliders> measures;
     std::optional<std::size_t> held;  ///< slider
+    bool own_bodies = false;          ///< there is a folder of them
     bool own_body = false;            ///< of a file: sliders are off
     std::string problem;              ///< a sentence: these measures fit no body
+    /// The number pad is open, for this slider's measure.
+    std::optional<std::size_t> typed;
+    NumberEdit number;
+    bool number_wrong = false;  ///< beyond what the measure may be
     friend bool operator==(const BodyDrawer&, const BodyDrawer&) = default;
+};
+
+/// Files to choose a body from, in a folder.
+struct BodyFiles {
+    static constexpr std::size_t kRows = 6;
+    struct Row {
+        std::string name;
+        bool folder = false;
+        friend bool operator==(const Row&, const Row&) = default;
+    };
+    std::string title;      ///< the folder
+    bool up = false;        ///< there is one above
+    std::vector<Row> rows;  ///< kRows at the most, of all of them from `first` on
+    std::size_t first = 0, all = 0;
+    bool reading = false;  ///< one was chosen and is on its way
+    std::string problem;   ///< why one could not be taken
+    friend bool operator==(const BodyFiles&, const BodyFiles&) = default;
 };
 
 /// A fabric in the drawer: its picture is one tile of the cloth.
@@ -160,6 +194,14 @@ struct PlacedNote {
     friend bool operator==(const PlacedNote&, const PlacedNote&) = default;
 };
 
+/// What the chosen object is moved, scaled and turned by, on the screen.
+struct ObjectHandles {
+    Rect box;                 ///< within it a drag moves
+    core::Point scale, turn;  ///< at two of its corners
+    bool scaling = false, turning = false;
+    friend bool operator==(const ObjectHandles&, const ObjectHandles&) = default;
+};
+
 /// The five swatches of layers, then further ones for pieces.
 inline constexpr std::array<std::uint32_t, 10> kSwatches{0xE2C690, 0xB4BFC9, 0xC9B1A8, 0xB7C2A4, 0xCFC6DA,
                                                          0xF1ECE0, 0x5B6F8C, 0x8C4A43, 0x55624C, 0x3B3733};
@@ -180,6 +222,8 @@ struct GarmentState {
     bool mirror = true, quads = true;
     bool designs_kept = false;  ///< there is a gallery
     bool line_open = false;     ///< the pen is down
+    bool can_hang = false;      ///< there is cloth
+    bool hanging = false;       ///< under gravity, not as drawn
     bool line_goes_on = false;  ///< the next stroke goes on with the last line
 
     std::vector<LayerRow> rows;
@@ -192,7 +236,9 @@ struct GarmentState {
 
     GarmentDrawer drawer = GarmentDrawer::None;
     BodyDrawer body;
+    BodyFiles body_files;
     std::vector<FabricTile> fabrics;
+    std::string fabric_problem;  ///< which of the own pictures could not be read
     std::size_t colour = 0;
     std::string export_message;  ///< under the buttons of the drawer
     bool export_busy = false;
@@ -208,6 +254,7 @@ struct GarmentState {
     std::vector<SheetLine> lines;
     std::vector<core::Point> handles_px, open_ends_px;
     std::optional<std::size_t> held_handle;
+    std::optional<ObjectHandles> object;
     std::vector<core::Point> plane_px;  ///< corners of the temporary plane
     std::optional<std::array<core::Point, 2>> axis_px;
     std::optional<core::Point> pen_px;     ///< where a pen hovers that lies on a tablet

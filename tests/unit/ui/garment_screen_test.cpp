@@ -40,6 +40,12 @@ bool has(const std::vector<std::string>& all, const std::string& text) {
     return std::find(all.begin(), all.end(), text) != all.end();
 }
 
+/// A sentence that may go over several lines.
+bool begins(const std::vector<std::string>& all, const std::string& sentence) {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const std::string& line) { return line.size() > 8 && sentence.rfind(line, 0) == 0; });
+}
+
 bool offers(const std::vector<ui::BoardTouch::Target>& targets, ui::GarmentAction action, std::size_t index = 0) {
     return std::any_of(targets.begin(), targets.end(), [&](const ui::BoardTouch::Target& t) {
         return t.control == ui::Control::Garment && t.item == ui::garment_item(action, index);
@@ -131,4 +137,68 @@ TEST_CASE("a slider's ends are within reach, its list scrolls by what does not f
     CHECK(ui::GarmentScreen::most_scroll_px(state, layout) == 0);
     state.rows.resize(5, state.rows[1]);
     CHECK(ui::GarmentScreen::most_scroll_px(state, layout) == 2 * layout.row_pitch);
+}
+
+TEST_CASE("Drape is offered where there is cloth, and says what it does", "[garment screen]") {
+    const Screen s;
+    const ui::GarmentLayout layout = ui::garment_layout({1920, 1080}, ui::Hand::Right);
+    ui::GarmentState state = dressed();
+    state.page = 2;
+    CHECK_FALSE(offers(s.garment.targets(state, layout), ui::GarmentAction::Drape));
+    state.can_hang = true;
+    CHECK(offers(s.garment.targets(state, layout), ui::GarmentAction::Drape));
+    state.hanging = true;
+    CHECK(begins(texts(s.garment.draw(state, layout)), s.languages[0]["hangs_flat"]));
+    state.view = ui::GarmentView::Solid;
+    CHECK(begins(texts(s.garment.draw(state, layout)), s.languages[0]["hangs_solid"]));
+}
+
+TEST_CASE("an object's row takes it off, and has neither eye nor swatch", "[garment screen]") {
+    const Screen s;
+    const ui::GarmentLayout layout = ui::garment_layout({1280, 800}, ui::Hand::Right);
+    ui::GarmentState state = dressed();
+    ui::LayerRow bag;
+    bag.name = "Bag";
+    bag.object = bag.selected = true;
+    state.rows.insert(state.rows.begin(), bag);
+    const auto targets = s.garment.targets(state, layout);
+    CHECK(offers(targets, ui::GarmentAction::Unplace, 0));
+    CHECK(offers(targets, ui::GarmentAction::Row, 0));
+    CHECK_FALSE(offers(targets, ui::GarmentAction::Eye, 0));
+    CHECK_FALSE(offers(targets, ui::GarmentAction::Swatch, 0));
+    CHECK(offers(targets, ui::GarmentAction::Eye, 1));
+    state.object = ui::ObjectHandles{{600, 300, 100, 80}, {700, 380}, {700, 300}, false, true};
+    CHECK(begins(texts(s.garment.draw(state, layout)), s.languages[0]["object_hint"]));
+}
+
+TEST_CASE("the number pad has the drawer to itself; own bodies are a size more", "[garment screen]") {
+    const Screen s;
+    for (const ui::SizePx size : {ui::SizePx{1920, 1080}, ui::SizePx{1280, 800}, ui::SizePx{1080, 1920}}) {
+        const ui::GarmentLayout layout = ui::garment_layout(size, ui::Hand::Right);
+        ui::GarmentState state = dressed();
+        state.drawer = ui::GarmentDrawer::Body;
+        state.body.sizes = {"36", "38", "m"};
+        for (ui::MeasureSlider& m : state.body.measures) m = {"waist", 74, 60, 120};
+        auto targets = s.garment.targets(state, layout);
+        CHECK(offers(targets, ui::GarmentAction::TypeMeasure, 6));
+        CHECK_FALSE(offers(targets, ui::GarmentAction::OwnBody));
+        state.body.own_bodies = true;
+        CHECK(offers(s.garment.targets(state, layout), ui::GarmentAction::OwnBody));
+        state.body.own_body = true;
+        CHECK_FALSE(offers(s.garment.targets(state, layout), ui::GarmentAction::TypeMeasure, 6));
+        state.body.own_body = false;
+        state.body.typed = 1;
+        state.body.number = {"74.0", true};
+        targets = s.garment.targets(state, layout);
+        CHECK_FALSE(offers(targets, ui::GarmentAction::Measure, 0));
+        CHECK(offers(targets, ui::GarmentAction::PadDone));
+        for (const ui::BoardTouch::Target& key : targets) {
+            CHECK(key.rect.height >= 60);
+            CHECK(key.rect.bottom() <= layout.board.bottom());
+            CHECK(key.rect.right() <= layout.board.right());
+        }
+        CHECK(has(texts(s.garment.draw(state, layout)), "60.0 to 120.0 cm"));
+        state.body.number.text.clear();
+        CHECK_FALSE(offers(s.garment.targets(state, layout), ui::GarmentAction::PadDone));
+    }
 }
