@@ -147,6 +147,12 @@ Result<DesignRunner> DesignRunner::start(const Design& design, const TriangleMes
     return start(design, plain_form(body));
 }
 
+DesignRunner DesignRunner::start(const Design& design, const DesignRunner& on) {
+    DesignRunner out(design, on.worn_, on.source_);
+    out.store_ = on.store_;
+    return out;
+}
+
 /// A landmark, as far outside of the body as a stroke on the body is drawn.
 void DesignRunner::put_to_landmark(Vec3& end, const std::string& name, const StrokePart& part) const {
     const Landmark* landmark = find_landmark(landmarks(), name);

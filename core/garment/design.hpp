@@ -162,6 +162,8 @@ class DesignRunner {
     [[nodiscard]] static Result<DesignRunner> start(const Design& design, const DressForm& form,
                                                     FormSource source = {});
     [[nodiscard]] static Result<DesignRunner> start(const Design& design, const TriangleMesh& body);
+    /// On the body that another wears, at no cost; what that one finished is found here and the reverse.
+    [[nodiscard]] static DesignRunner start(const Design& design, const DesignRunner& on);
 
     /// Gives the step as it is to be saved: a region with the parts of the body that it was found to lie over. Or the
     /// step's error, with its line or region in the sentence; the garment stays as it was then. Layer, Work, Order and

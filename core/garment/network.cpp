@@ -337,6 +337,19 @@ const NetworkRegion* Network::find_region(const std::string& name) const {
     return const_cast<Network*>(this)->region_named(name);  // NOLINT: reads only
 }
 
+namespace {
+
+/// Corners of a part of a region: those that the region had, and at `fresh` vertices what was found.
+std::set<int> kept_corners(const std::set<int>& found, const std::vector<int>& ring, const std::set<int>& old,
+                           const std::set<int>& fresh) {
+    std::set<int> kept;
+    for (const int vertex : ring)
+        if ((fresh.count(vertex) != 0 ? found : old).count(vertex) != 0) kept.insert(vertex);
+    return kept.size() < kFewestCorners || kept.size() > static_cast<std::size_t>(kMostSides) ? found : kept;
+}
+
+}  // namespace
+
 /// Parts a ring along lines that lead from its vertex `from` to its vertex `to`.
 Result<void> Network::part_ring(int index, const std::vector<int>& lines, int from, int to,
                                 const std::string& new_name) {
@@ -355,17 +368,9 @@ Result<void> Network::part_ring(int index, const std::vector<int>& lines, int fr
     NetworkRegion other{new_name, right, {}, region.alpha, region.layer, true, region.parts};
     const std::set<int> old = region.corners;
     const auto corners = [&](const std::vector<LineUse>& part) {
-        std::set<int> found = detected_corners(part);
-        for (const LineUse use : part) {
-            const int vertex = start_of(use);
-            if (vertex == from || vertex == to) continue;
-            if (old.count(vertex) != 0)
-                found.insert(vertex);
-            else
-                found.erase(vertex);
-        }
-        if (found.size() < kFewestCorners) found = detected_corners(part);
-        return found;
+        std::vector<int> passed;
+        for (const LineUse use : part) passed.push_back(start_of(use));
+        return kept_corners(detected_corners(part), passed, old, {from, to});
     };
     region.ring = left;
     region.corners = corners(left);
@@ -445,9 +450,14 @@ Result<void> Network::cut_hole(const std::string& name, SpaceLine loop, const st
     left.insert(left.end(), {{line + 2, false}, {line + 1, true}, {line + 3, false}});
     right.insert(right.end(), {{line + 3, true}, {line, true}, {line + 2, true}});
     NetworkRegion other{new_name, right, {}, whole.alpha, whole.layer, true, whole.parts};
-    other.corners = detected_corners(right);
+    const auto corners = [&, old = whole.corners](const std::vector<LineUse>& part) {
+        std::vector<int> passed;
+        for (const LineUse use : part) passed.push_back(start_of(use));
+        return kept_corners(detected_corners(part), passed, old, {a, b, near, far});
+    };
+    other.corners = corners(right);
     whole.ring = left;
-    whole.corners = detected_corners(left);
+    whole.corners = corners(left);
     regions_.push_back(std::move(other));
     // the hole itself is a region that was taken away: nothing fills it by itself
     regions_.push_back({hole, {{line, false}, {line + 1, false}}, {}, kCoonsAlpha, layer_, false, 0});
@@ -713,13 +723,36 @@ void Network::carry(const std::function<Vec3(Vec3)>& map) {
         for (Vec3& p : line.shape) p = carried(p);
 }
 
-Result<RegionBoundary> Network::boundary(const NetworkRegion& region) const {
+/// The ring from the corner where its sides' numbers of edges read least: the same outline is filled in the same way
+/// wherever its ring was begun.
+std::vector<LineUse> Network::ring_in_order(const NetworkRegion& region) const {
     std::vector<LineUse> ring = region.ring;
-    const auto first =
-        std::find_if(ring.begin(), ring.end(), [&](LineUse u) { return region.corners.count(start_of(u)) != 0; });
-    if (first == ring.end())
-        return bad_outline("The region " + quoted(region.name) + " has no corners: mark two at least.");
-    std::rotate(ring.begin(), first, ring.end());
+    const auto is_corner = [&](LineUse use) { return region.corners.count(start_of(use)) != 0; };
+    std::rotate(ring.begin(), std::find_if(ring.begin(), ring.end(), is_corner), ring.end());
+    std::vector<int> counts;
+    std::vector<std::ptrdiff_t> starts;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        if (is_corner(ring[i])) {
+            counts.push_back(0);
+            starts.push_back(static_cast<std::ptrdiff_t>(i));
+        }
+        counts.back() += edge_count(lines_[static_cast<std::size_t>(ring[i].line)]);
+    }
+    std::size_t best = 0;
+    std::vector<int> least = counts;
+    for (std::size_t k = 1; k < starts.size(); ++k) {
+        std::rotate(counts.begin(), counts.begin() + 1, counts.end());
+        if (counts < least) least = counts, best = k;
+    }
+    std::rotate(ring.begin(), ring.begin() + starts[best], ring.end());
+    return ring;
+}
+
+Result<RegionBoundary> Network::boundary(const NetworkRegion& region) const {
+    const bool has_corner = std::any_of(region.ring.begin(), region.ring.end(),
+                                        [&](LineUse u) { return region.corners.count(start_of(u)) != 0; });
+    if (!has_corner) return bad_outline("The region " + quoted(region.name) + " has no corners: mark two at least.");
+    const std::vector<LineUse> ring = ring_in_order(region);
     RegionBoundary out;
     for (const LineUse use : ring) {
         const NetworkLine& line = lines_[static_cast<std::size_t>(use.line)];

@@ -185,6 +185,7 @@ class Network {
     [[nodiscard]] std::set<int> detected_corners(const std::vector<LineUse>& ring) const;
     [[nodiscard]] int start_of(LineUse use) const;
     [[nodiscard]] SpaceLine shape_of(LineUse use) const;
+    [[nodiscard]] std::vector<LineUse> ring_in_order(const NetworkRegion& region) const;
     [[nodiscard]] Vec3 ring_normal(const std::vector<LineUse>& ring) const;
     void turn_outward(std::vector<LineUse>& ring, const Obstacle& body) const;
     [[nodiscard]] int vertex_on_ring(const NetworkRegion& region, Vec3 place);

@@ -69,7 +69,10 @@ GarmentMode::~GarmentMode() = default;
 
 void GarmentMode::prepare() {
     if (desk_ || coming_.valid() || !failure_.empty()) return;
-    coming_ = std::async(std::launch::async, empty_desk, options_.size, body_files_.source());
+    coming_ = std::async(std::launch::async,
+                         [make = options_.first_desk, size = options_.size, source = body_files_.source()] {
+                             return make ? make(size) : empty_desk(size, source);
+                         });
 }
 
 /// Waits for the body of an empty design, when it is needed before it is there.
@@ -99,11 +102,26 @@ core::Design GarmentMode::design() {
     return desk().design();
 }
 
-core::Result<void> GarmentMode::open(const core::Design& design) {
-    core::Result<core::Mannequin> body = core::make_mannequin(design.body);
+namespace {
+
+/// Whether a design begins on the body that is worn now.
+bool is_worn(const core::Design& design, const core::DesignRunner& now) {
+    const std::optional<core::BodyMeasures>& worn = now.worn()->form.measures;
+    return worn && worn->figure == design.body.figure && worn->cm == design.body.cm;
+}
+
+core::Result<core::GarmentDesk> desk_of(const core::Design& design, const core::GarmentDesk* now,
+                                        core::FormSource source) {
+    if (now != nullptr && is_worn(design, now->state())) return core::GarmentDesk::open(design, now->state());
+    const core::Result<core::Mannequin> body = core::make_mannequin(design.body);
     if (!body) return core::unexpected(body.error());
-    core::Result<core::GarmentDesk> desk =
-        core::GarmentDesk::open(design, core::dress_form(*body), body_files_.source());
+    return core::GarmentDesk::open(design, core::dress_form(*body), std::move(source));
+}
+
+}  // namespace
+
+core::Result<void> GarmentMode::open(const core::Design& design) {
+    core::Result<core::GarmentDesk> desk = desk_of(design, desk_ ? &*desk_ : nullptr, body_files_.source());
     if (!desk) return core::unexpected(desk.error());
     put_back();
     builder_.forget();
@@ -208,19 +226,50 @@ void GarmentMode::follow_live() {
     }
 }
 
-void GarmentMode::note(const core::DeskNote& note) {
-    static const std::map<std::string, std::string> kKeys{
-        {"outline_open", "note_open"},     {"off_body", "off_the_figure"},    {"plane_edge_on", "edge_on"},
-        {"too_short", "stroke_too_short"}, {"open_middle", "note_middle"},    {"no_region", "nothing_here"},
-        {"not_across", "not_across"},      {"not_filled", "note_not_filled"}, {"layers_touch", "note_touch"},
-        {"nothing_here", "nothing_here"},  {"body_unfit", "body_unfit"}};
-    const auto key = kKeys.find(note.key);
-    if (note.key == "outline_open" || note.key == "open_middle" || note.key == "not_filled" ||
-        note.key == "layers_touch") {
-        notes_.emplace_back(note, key->second);
-    } else {
-        problem_ = key != kKeys.end() ? words()[key->second] : note.sentence;
+namespace {
+
+const char* words_key(core::DeskNote::Key key) {
+    using Key = core::DeskNote::Key;
+    switch (key) {
+        case Key::OutlineOpen:
+            return "note_open";
+        case Key::OpenMiddle:
+            return "note_middle";
+        case Key::OffBody:
+            return "off_the_figure";
+        case Key::NoPoint:
+            return "no_point";
+        case Key::PlaneEdgeOn:
+            return "edge_on";
+        case Key::TooShort:
+            return "stroke_too_short";
+        case Key::NotAcross:
+            return "not_across";
+        case Key::NotFilled:
+            return "note_not_filled";
+        case Key::LayersTouch:
+            return "note_touch";
+        case Key::NoRegion:
+        case Key::NothingHere:
+            return "nothing_here";
+        case Key::BodyUnfit:
+            return "body_unfit";
+        case Key::Refused:
+            break;
     }
+    return "not_done";
+}
+
+}  // namespace
+
+void GarmentMode::note(const core::DeskNote& note) {
+    using Key = core::DeskNote::Key;
+    const bool at_place = note.key == Key::OutlineOpen || note.key == Key::OpenMiddle || note.key == Key::NotFilled ||
+                          note.key == Key::LayersTouch;
+    if (at_place)
+        notes_.emplace_back(note, words_key(note.key));
+    else
+        problem_ = words()[words_key(note.key)];
 }
 
 /// The slider changes the piece that was chosen; where there is none on this layer, the newest.
@@ -669,10 +718,7 @@ void GarmentMode::update(std::int64_t now_us) {
         if (!desk_) return;
     }
     repeat_until(now_us);
-    if (cleared_ && now_us - cleared_us_ > kClearedOffer_us) {
-        cleared_ = false;
-        put_away_.reset();
-    }
+    if (cleared_ && now_us - cleared_us_ > kClearedOffer_us) cleared_ = false;  // Undo still brings it back
     if (gallery_open_) {
         gallery_->update(now_us);
         for (auto& [id, picture] : gallery_->take_pictures()) {

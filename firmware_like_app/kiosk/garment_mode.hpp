@@ -45,6 +45,8 @@ struct GarmentOptions {
     std::filesystem::path fabrics;    ///< folder of pictures of fabrics; empty: none
     int bin_days = 30;
     std::filesystem::path record;  ///< folder for a trace of each visit; empty: none
+    /// Gives the desk of an empty design on a body of that size, called on a thread of its own; none: it is made.
+    std::function<core::Result<core::GarmentDesk>(const std::string& size)> first_desk;
     bool every_frame_seen = true;  ///< false: cloth is made before the next frame, for pictures and replays
 };
 
@@ -74,7 +76,7 @@ class GarmentMode final : public Mode {
     /// Makes the body of an empty design on a thread of its own, so that it is there when the visitor comes. Without
     /// this it is made when the mode is first used.
     void prepare();
-    /// Another design in place of the one at work. Its body is made first: some 100 ms.
+    /// Another design in place of the one at work. A body that is not the worn one is made first: some 100 ms.
     [[nodiscard]] core::Result<void> open(const core::Design& design);
     /// The design as it stands.
     [[nodiscard]] core::Design design();
@@ -177,6 +179,8 @@ class GarmentMode final : public Mode {
     void end_pad(std::int64_t now_us);
     void take_own_body(std::int64_t now_us);
     void clear_design(std::int64_t now_us);
+    void undo(std::int64_t now_us);
+    void undo_new();
     [[nodiscard]] std::vector<std::string> pieces_to_dye() const;
     void dye(const std::function<void(core::ClothMaterial&)>& change, std::int64_t now_us);
 
@@ -243,8 +247,8 @@ class GarmentMode final : public Mode {
     std::string piece_, line_;  // selected
     bool cleared_ = false;
     std::int64_t cleared_us_ = 0;
-    std::optional<core::Design> put_away_;
-    std::int64_t put_away_id_ = 0;  // where it is kept; 0: nowhere
+    std::optional<core::Design> put_away_;  // by New; Undo at the start of what follows brings it back
+    std::int64_t put_away_id_ = 0;          // where it is kept; 0: nowhere
     GarmentKeeper keeper_;
     std::unique_ptr<GalleryDesk> gallery_;
     std::map<ui::PictureId, ui::Texture> gallery_pictures_;

@@ -13,7 +13,7 @@ void GarmentMode::act(const ui::Intent& intent, std::int64_t now_us) {
             find_wanted_ = intent.item == 0;
             break;
         case ui::Control::Undo:
-            if (desk_) take_reply(desk_->undo(), now_us);
+            if (desk_) undo(now_us);
             break;
         case ui::Control::Redo:
             if (desk_ && desk_->goes_on())
@@ -113,15 +113,7 @@ void GarmentMode::act(const ui::GarmentIntent& intent, std::int64_t now_us) {
             clear_design(now_us);
             break;
         case A::UndoNew:
-            if (put_away_) {
-                const core::Design back = *std::exchange(put_away_, std::nullopt);
-                cleared_ = false;
-                if (put_away_id_ != 0) {
-                    open_kept(std::exchange(put_away_id_, 0));
-                } else if (const core::Result<void> opened = open(back); !opened) {
-                    problem_ = opened.error().sentence();
-                }
-            }
+            undo_new();
             break;
         case A::Size:
             body_.choose_size(intent.index);
@@ -230,6 +222,23 @@ void GarmentMode::open_drawer(ui::GarmentDrawer drawer) {
     typed_.reset();
     body_problem_.clear();
     scroll_px_ = 0;
+}
+
+/// At the start of a design that came by New, what was there before comes back.
+void GarmentMode::undo(std::int64_t now_us) {
+    if (!desk_->can_undo() && !desk_->goes_on() && put_away_) return undo_new();
+    take_reply(desk_->undo(), now_us);
+}
+
+void GarmentMode::undo_new() {
+    if (!put_away_) return;
+    const core::Design back = *std::exchange(put_away_, std::nullopt);
+    cleared_ = false;
+    if (put_away_id_ != 0) {
+        open_kept(std::exchange(put_away_id_, 0));
+    } else if (const core::Result<void> opened = open(back); !opened) {
+        problem_ = opened.error().sentence();
+    }
 }
 
 /// All pieces of the layer that is worked on.

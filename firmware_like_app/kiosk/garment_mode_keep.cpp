@@ -140,6 +140,7 @@ void GarmentMode::press_gallery(std::size_t item, std::int64_t now_us) {
 
 /// A kept design on the sheet, with what was undone to be done again.
 void GarmentMode::open_kept(std::int64_t id) {
+    put_away_.reset();  // it is in the gallery
     keep_picture();
     (void)keeper_.end();  // its last words are stored before the file is read
     const core::Result<db::OpenedDesign> kept = keeper_.load(id);

@@ -74,12 +74,15 @@ void GarmentMode::fill_planes(ui::GarmentState& state) const {
     };
     if (turned(views_.camera()) || tool_ == ui::GarmentTool::TemporaryPlane)
         state.plane_px = projected_plane(*plane, views_.camera(), kPlaneHalf_cm);
+    // in the small views as tall as the figure
     const double half = std::abs(normal.y) > 0.5 ? kPlaneHalf_cm : 0.5 * views_.height_cm();
+    core::StrokePreview::Plane whole = *plane;
+    if (std::abs(plane->up.y) > 0.99) whole.origin.y = 0.5 * views_.height_cm();
     for (std::size_t i = 0; i < ui::kGarmentTiles; ++i) {
         if (i == ui::tile_of(views_.view())) continue;
         const ui::FigureCamera camera = views_.tile_camera(i);
         if (!turned(camera) && !edge_on(camera)) continue;
-        ui::PlaneTrace trace{i, projected_plane(*plane, camera, half)};
+        ui::PlaneTrace trace{i, projected_plane(whole, camera, turned(camera) ? 0.9 * half : half)};
         trace.px.push_back(trace.px.front());
         state.plane_traces.push_back(std::move(trace));
     }

@@ -7,6 +7,7 @@
 
 #include "firmware_like_app/kiosk/garment_mode.hpp"
 #include "ui/draw/coverage.hpp"
+#include "ui/screens/garment_names.hpp"
 #include "ui/screens/garment_parts.hpp"
 #include "ui/screens/widgets.hpp"
 
@@ -100,7 +101,7 @@ void GarmentMode::fill_history(ui::GarmentState& state) const {
     for (std::size_t k = entries.size(); k-- > 0;) {
         ui::HistoryRow row;
         row.name = words()[key_of(entries[k].kind)];
-        if (!entries[k].name.empty()) row.name += ": " + entries[k].name;
+        if (!entries[k].name.empty()) row.name += ": " + ui::shown_name(words(), entries[k].name);
         row.undone = k >= desk_->history_place();
         row.current = k + 1 == desk_->history_place();
         state.history.push_back(std::move(row));
@@ -225,7 +226,7 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
         return state;
     }
     state.line_goes_on = desk_->goes_on();
-    state.can_undo = desk_->can_undo() || state.line_goes_on;
+    state.can_undo = desk_->can_undo() || state.line_goes_on || put_away_;
     state.can_redo = desk_->can_redo();
     state.empty = desk_->network().lines().empty() && objects().empty();
     state.mirror = desk_->state().look().mirror;
@@ -240,7 +241,7 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
         state.folds_on = true;
         state.folds_held = hold_ == Hold::Folds;
         state.folds = state.folds_held ? folds_ : std::clamp(region->alpha / core::kClosedFlowAlpha, 0.0, 1.0);
-        state.folds_name = piece;
+        state.folds_name = ui::shown_name(words(), piece);
     }
     for (std::size_t i = 0; i < washes_.size(); ++i) {
         state.washes.push_back({ui::PictureId{kFirstWash + static_cast<int>(i)}, washes_[i].rect, washes_[i].colour});
@@ -254,16 +255,16 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     state.handles_px = drawing_.handles_px;
     state.open_ends_px = drawing_.open_ends_px;
     for (const auto& [note, key] : notes_) {
-        if (note.key == "outline_open" && (note.gap_cm <= 0 || note.gap_cm > kNotedGap_cm)) continue;
+        if (note.key == core::DeskNote::Key::OutlineOpen && (note.gap_cm <= 0 || note.gap_cm > kNotedGap_cm)) continue;
         state.notes.push_back({words()[key], views_.camera().to_px(note.place), true});
     }
     // two ends on the middle can be joined by a tap on one of them
-    if (drawing_.open_middle && hold_ == Hold::None && state.notes.empty()) {
+    if (drawing_.open_middle && hold_ == Hold::None && !state.line_goes_on && state.notes.empty()) {
         state.notes.push_back({words()["note_middle"], views_.camera().to_px(*drawing_.open_middle), true});
     }
     if (notes_.empty() && desk_->cloth_is_current()) {
         for (const core::DeskNote& fault : desk_->cloth_faults()) {
-            if (fault.key == "not_filled")
+            if (fault.key == core::DeskNote::Key::NotFilled)
                 state.notes.push_back({words()["note_not_filled"], views_.camera().to_px(fault.place), true});
         }
     }
@@ -271,6 +272,10 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     if (state.mirror && level) {
         state.axis_px = {views_.camera().to_px({0, views_.height_cm() + kAxisAbove_cm, 0}),
                          views_.camera().to_px({0, -kAxisAbove_cm, 0})};
+    }
+    if (const core::LineGoingOn* going = desk_->line_going_on(); going != nullptr && hold_ != Hold::Drawing) {
+        state.handles_px.push_back(views_.camera().to_px(going->end));
+        state.held_handle = state.handles_px.size() - 1;
     }
     fill_stroke(state);
     fill_planes(state);

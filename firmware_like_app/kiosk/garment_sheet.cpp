@@ -27,11 +27,11 @@ Kind kind_of(const core::DesignStep& step) {
     }
 }
 
-std::map<std::string, Kind> kinds_of(const core::Design& design) {
+std::map<std::string, Kind> kinds_of(const core::GarmentDesk& desk) {
     std::map<std::string, Kind> kinds;
-    for (const core::DesignStep& step : design.steps) {
+    desk.each_step([&](const core::DesignStep& step) {
         if (step.kind == core::DesignStep::Kind::Line) kinds[step.name] = kind_of(step);
-    }
+    });
     return kinds;
 }
 
@@ -144,7 +144,7 @@ void add_cloth_edges(std::vector<ui::SheetLine>& out, const core::GarmentDesk& d
 std::vector<core::DeskNote> open_middles(const core::GarmentDesk& desk) {
     std::vector<core::DeskNote> middles;
     for (core::DeskNote& note : desk.open_places()) {
-        if (note.key == "open_middle") middles.push_back(std::move(note));
+        if (note.key == core::DeskNote::Key::OpenMiddle) middles.push_back(std::move(note));
     }
     return middles;
 }
@@ -153,7 +153,7 @@ SheetDrawing draw_sheet(const core::GarmentDesk& desk, FigureViews& views, const
     SheetDrawing out;
     const core::Network& network = desk.network();
     const bool mirror = desk.state().look().mirror;
-    const std::map<std::string, Kind> kinds = kinds_of(desk.design());
+    const std::map<std::string, Kind> kinds = kinds_of(desk);
     const std::set<int> in_cloth = lines_of(network, pieces_in_cloth(desk));
     add_cloth_edges(out.lines, desk, views);
     std::vector<core::Vec3> open;

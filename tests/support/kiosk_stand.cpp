@@ -1,6 +1,9 @@
 #include "tests/support/kiosk_stand.hpp"
 
+#include <map>
+#include <mutex>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "firmware_like_app/kiosk/placing.hpp"
@@ -13,6 +16,21 @@ template <typename T>
 T value_of(core::Result<T> result) {
     if (!result) throw std::runtime_error(result.error().sentence());
     return std::move(*result);
+}
+
+/// Bodies are made once for all stands: that takes most of what a visit costs a test.
+core::Result<core::GarmentDesk> desk_on_known_body(const std::string& label) {
+    static std::mutex mutex;
+    static std::map<std::string, core::DesignRunner> known;
+    const std::lock_guard lock(mutex);
+    core::Design design;
+    design.body = value_of(core::measures_of_size(label));
+    auto found = known.find(label);
+    if (found == known.end()) {
+        const core::DressForm form = core::dress_form(value_of(core::make_mannequin(design.body)));
+        found = known.emplace(label, value_of(core::DesignRunner::start(design, form))).first;
+    }
+    return core::GarmentDesk::open(std::move(design), found->second);
 }
 
 }  // namespace
@@ -45,6 +63,7 @@ KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOp
     garment_options.hand = options.hand;
     garment_options.every_frame_seen = false;
     garment_options.record = record;
+    if (garment_options.bodies.empty()) garment_options.first_desk = desk_on_known_body;
     garment = value_of(app::GarmentMode::create(base_->fonts, languages, garment_options, size));
     options.garment = garment.get();
     shell = value_of(app::Shell::create(base_->fonts, languages, *find, &collection.searcher(), options, size, now_us));

@@ -33,7 +33,7 @@ BuildResult build(const BuildRequest& request, const std::stop_token& stop) {
     DesignRunner state = request.state;
     if (request.body) {
         if (const Result<DesignStep> worn = state.take(*request.body); !worn)
-            result.faults.push_back({"body_unfit", worn.error().message, {}, {}, 0.0});
+            result.faults.push_back({DeskNote::Key::BodyUnfit, worn.error().message, {}, {}, 0.0});
     }
     if (stop.stop_requested()) return result;
     result.layers = state.finish(stop);
@@ -41,10 +41,10 @@ BuildResult build(const BuildRequest& request, const std::stop_token& stop) {
     result.complete = result.layers.size() == state.look().order.size();
     for (const BuiltLayer& layer : result.layers) {
         for (const ClothFault& fault : layer.cloth->faults)
-            result.faults.push_back({"not_filled", "Cloth could not be filled here: " + fault.error.message,
+            result.faults.push_back({DeskNote::Key::NotFilled, "Cloth could not be filled here: " + fault.error.message,
                                      place_of(state.network(), fault.region), fault.region, 0.0});
         if (std::string clash = fitting_warning(layer.cloth->report); !clash.empty())
-            result.faults.push_back({"layers_touch", std::move(clash),
+            result.faults.push_back({DeskNote::Key::LayersTouch, std::move(clash),
                                      clash_place(layer.cloth->fitted, state.worn()->obstacle),
                                      std::to_string(layer.layer), 0.0});
     }

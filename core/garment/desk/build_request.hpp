@@ -27,7 +27,7 @@ struct BuildResult {
     bool complete = false;                  ///< false when it was stopped
     bool trial = false;                     ///< for BuildRequest::body
     std::vector<BuiltLayer> layers;         ///< inner ones first
-    std::vector<DeskNote> faults;           ///< "not_filled" and "layers_touch", with the piece or layer and the place
+    std::vector<DeskNote> faults;           ///< NotFilled and LayersTouch, with the piece or layer and the place
     std::shared_ptr<const DressForm> form;  ///< that it is worn by
 };
 

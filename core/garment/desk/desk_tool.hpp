@@ -57,15 +57,29 @@ struct DeskSettings {
     double alpha = kCoonsAlpha;    ///< of new pieces
 };
 
-/// Something to tell the designer, at its place.
+/// Something to tell the designer, at its place. The screen has the words for each key; the sentence is the engine's,
+/// in English, for logs and tests.
 struct DeskNote {
-    /// For the screen's strings: "outline_open", "off_body", "plane_edge_on", "too_short", "no_region", "not_across",
-    /// "not_filled", "layers_touch", "nothing_here", "body_unfit", "other".
-    std::string key;
-    std::string sentence;  ///< in English, one sentence
+    enum class Key {
+        OutlineOpen,  ///< at an end; gap_cm
+        OpenMiddle,   ///< at an end on the middle plane
+        OffBody,      ///< the line left the body, or passes it
+        NoPoint,      ///< the temporary plane has no point to hang on
+        PlaneEdgeOn,
+        TooShort,
+        NoRegion,  ///< there is no piece to cut
+        NotAcross,
+        NotFilled,    ///< `name`: the piece
+        LayersTouch,  ///< `name`: the layer's number
+        NothingHere,
+        BodyUnfit,
+        Refused  ///< what has no word of its own
+    };
+    Key key = Key::Refused;
+    std::string sentence;
     Vec3 place;
     std::string name;     ///< of the line or piece, or empty
-    double gap_cm = 0.0;  ///< outline_open: to the nearest line that the end could join; 0 where there is none
+    double gap_cm = 0.0;  ///< OutlineOpen: to the nearest line that the end could join; 0 where there is none
 };
 
 /// A piece of a line by its name: "hem", or "hem/2" where the name has several pieces.

@@ -21,8 +21,17 @@ GarmentDesk::GarmentDesk(Design settings, DesignRunner start)
 Result<GarmentDesk> GarmentDesk::open(Design design, const DressForm& form, FormSource source) {
     Result<DesignRunner> start = DesignRunner::start(design, form, std::move(source));
     if (!start) return unexpected(start.error());
+    return with_steps(std::move(design), std::move(*start));
+}
+
+GarmentDesk GarmentDesk::open(Design design, const DesignRunner& on) {
+    DesignRunner start = DesignRunner::start(design, on);
+    return with_steps(std::move(design), std::move(start));
+}
+
+GarmentDesk GarmentDesk::with_steps(Design design, DesignRunner start) {
     const std::vector<DesignStep> steps = std::exchange(design.steps, {});
-    GarmentDesk desk(std::move(design), std::move(*start));
+    GarmentDesk desk(std::move(design), std::move(start));
     int number = 0;
     for (std::size_t first = 0; first < steps.size();) {
         std::size_t end = first + 1;
@@ -56,7 +65,7 @@ DeskReply GarmentDesk::act(const std::vector<DesignStep>& steps, bool closes) {
     for (const DesignStep& step : steps) {
         Result<DesignStep> done = next.take(step);
         if (!done) {
-            reply.notes.push_back(note_of(done.error(), {}));
+            reply.notes.push_back(note_of_step(step, next, done.error(), {}));
             return reply;
         }
         saved.push_back(std::move(*done));
@@ -125,11 +134,14 @@ DeskReply GarmentDesk::set_edge(double cm) {
     if (cm == network().options().edge_cm) return {};
     DesignStep step = step_of(Kind::Edges);
     step.radius = cm;
-    if (history_.place() > 0) {
-        const std::vector<DesignStep>& last = history_.act(history_.place() - 1);
-        if (last.size() == 1 && last.front().kind == Kind::Edges) (void)go_to(history_.place() - 1);
+    const std::size_t was = history_.place();
+    if (was > 0) {
+        const std::vector<DesignStep>& last = history_.act(was - 1);
+        if (last.size() == 1 && last.front().kind == Kind::Edges) (void)go_to(was - 1);
     }
-    return act({step});
+    DeskReply reply = act({step});
+    if (!reply.changed && history_.place() != was) (void)go_to(was);
+    return reply;
 }
 
 DeskReply GarmentDesk::set_mirror(bool on) {
@@ -175,17 +187,13 @@ DeskReply GarmentDesk::rename_layer(int layer, const std::string& name) {
 DeskReply GarmentDesk::set_body(const BodyMeasures& measures) {
     DesignStep step = step_of(Kind::Body);
     step.body = measures;
-    DeskReply reply = act({step});
-    for (DeskNote& note : reply.notes) note.key = "body_unfit";
-    return reply;
+    return act({step});
 }
 
 DeskReply GarmentDesk::set_own_body(const std::string& file) {
     DesignStep step = step_of(Kind::Body);
     step.name = file;
-    DeskReply reply = act({step});
-    for (DeskNote& note : reply.notes) note.key = "body_unfit";
-    return reply;
+    return act({step});
 }
 
 DeskReply GarmentDesk::place(const PlacedObject& object) {
@@ -255,6 +263,11 @@ Design GarmentDesk::design() const {
     return out;
 }
 
+void GarmentDesk::each_step(const std::function<void(const DesignStep&)>& use) const {
+    for (std::size_t act = 0; act < history_.place(); ++act)
+        for (const DesignStep& step : history_.act(act)) use(step);
+}
+
 std::vector<LayerRow> GarmentDesk::layers() const {
     const DesignLook& look = state().look();
     std::vector<LayerRow> rows;
@@ -275,7 +288,7 @@ std::vector<DeskNote> GarmentDesk::open_places() const {
     for (const OpenEnd& end : open_ends(network(), layer())) {
         const bool middle = state().look().mirror && end.place.x == 0.0;
         notes.push_back(
-            {middle ? "open_middle" : "outline_open",
+            {middle ? DeskNote::Key::OpenMiddle : DeskNote::Key::OutlineOpen,
              middle ? "This outline is open in the middle: draw the line in the middle." : "This outline is open here.",
              end.place, end.line, end.gap_cm});
     }

@@ -87,6 +87,9 @@ class GarmentDesk {
     /// Takes all steps of the design on the form, which is that of design.body. Steps that fail are faults and stay in
     /// the design. `source`: bodies of the user's own by name. ErrorCode::BadMesh when the form is not closed.
     [[nodiscard]] static Result<GarmentDesk> open(Design design, const DressForm& form, FormSource source = {});
+    /// The same on the body that another desk's garment wears, which must be that of design.body: at no cost but the
+    /// steps', and layers that both have are not made again.
+    [[nodiscard]] static GarmentDesk open(Design design, const DesignRunner& on);
 
     // ---- the pen
 
@@ -168,6 +171,8 @@ class GarmentDesk {
     // ---- what there is
 
     [[nodiscard]] Design design() const;  ///< up to the place in the history
+    /// Its steps in order, without a copy of them.
+    void each_step(const std::function<void(const DesignStep&)>& use) const;
     [[nodiscard]] const DesignRunner& state() const { return history_.now(); }
     [[nodiscard]] const Network& network() const { return state().network(); }
     /// The lines to draw: while a vertex is dragged, where they would be.
@@ -175,7 +180,7 @@ class GarmentDesk {
     [[nodiscard]] int layer() const { return state().layer(); }
     [[nodiscard]] std::vector<LayerRow> layers() const;  ///< inner ones first
     [[nodiscard]] const std::vector<DesignFault>& faults() const { return faults_; }
-    /// Ends that keep an outline of the worked layer open, as notes "outline_open".
+    /// Ends that keep an outline of the worked layer open, as notes OutlineOpen or OpenMiddle.
     [[nodiscard]] std::vector<DeskNote> open_places() const;
 
     // ---- cloth
@@ -210,6 +215,7 @@ class GarmentDesk {
     struct WholeRegion;
 
     GarmentDesk(Design settings, DesignRunner start);
+    static GarmentDesk with_steps(Design design, DesignRunner start);
 
     DeskReply act(const std::vector<DesignStep>& steps, bool closes = false);
     void join_ends(DesignRunner& next, std::vector<DesignStep>& saved) const;

@@ -148,8 +148,7 @@ void GarmentDesk::close_regions(DesignRunner& next, std::vector<DesignStep>& sav
             saved.push_back(std::move(*done));
             if (whole != nullptr) keep_look(next, saved, step.name, *whole);
         } else {
-            reply.notes.push_back(note_of(done.error(), ring_line(next.network(), face.ring).front()));
-            reply.notes.back().key = "not_filled";
+            reply.notes.push_back(note_of_step(step, next, done.error(), ring_line(next.network(), face.ring).front()));
         }
     }
 }

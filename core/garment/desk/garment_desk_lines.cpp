@@ -72,11 +72,12 @@ DeskReply GarmentDesk::end_line(OpenStroke stroke) {
     LiftedStroke lifted(stroke.parts, body);
     if (lifted.fault) {
         const auto [first, end] = lifted.longest([](const LiftedStroke::Sample& s) { return s.place.has_value(); });
-        DeskNote note = note_of(*lifted.fault, lifted.fault_place);
+        DeskNote note = note_of_lift(stroke.parts[lifted.fault_part], *lifted.fault, lifted.fault_place);
         if (end - first >= 2) {
-            if (note.key == "off_body") note.sentence = "The line left the body here: what lay on it stays.";
+            if (note.key == DeskNote::Key::OffBody)
+                note.sentence = "The line left the body here: what lay on it stays.";
             stroke.parts = lifted.stroke(stroke.parts, first, end);
-        } else if (note.key == "off_body") {
+        } else if (note.key == DeskNote::Key::OffBody) {
             note.sentence = "This line passes the body: it lies in the plane of the view.";
             for (StrokePart& part : stroke.parts) part.tool = plane_tool(axis_toward(part.view), 0.0);
         } else {
@@ -120,7 +121,7 @@ DeskReply GarmentDesk::add_between_ends(const DesignStep& line) {
     DesignRunner next = state();
     Result<DesignStep> done = next.take(region);
     if (!done) {
-        reply.notes.push_back(note_of(done.error(), ring_line(network(), *ring).front()));
+        reply.notes.push_back(note_of_step(region, state(), done.error(), ring_line(network(), *ring).front()));
         return reply;
     }
     // one act with its line: the two are undone together
@@ -154,7 +155,7 @@ DeskReply GarmentDesk::fill_at(const DrawingView& view, Point at) {
         best = &face;
         seen_best = seen;
     }
-    if (best == nullptr) return told("nothing_here", "There is no closed outline here to fill.", {});
+    if (best == nullptr) return told(DeskNote::Key::NothingHere, "There is no closed outline here to fill.", {});
     DesignStep region;
     region.kind = Kind::Region;
     region.name = name_for_region(network(), best->ring, state().obstacle());

@@ -28,7 +28,7 @@ DeskReply GarmentDesk::end_cut(OpenStroke stroke, Kind kind) {
     const Point at = middle.points[middle.points.size() / 2];
     const Pick region = pick_region(network(), layer(), middle.view, at, mirror);
     if (region.kind == Pick::Kind::None)
-        return told("no_region", "There is no piece here: begin and end the line at the edges of one.",
+        return told(DeskNote::Key::NoRegion, "There is no piece here: begin and end the line at the edges of one.",
                     stroke.lifter->line().empty() ? Vec3{} : stroke.lifter->line().front());
     if (mirror && region.place.x < -0.5)
         for (StrokePart& part : parts) part = mirrored_part(std::move(part));
@@ -46,7 +46,7 @@ DeskReply GarmentDesk::end_cut(OpenStroke stroke, Kind kind) {
 
 DeskReply GarmentDesk::end_move(const OpenStroke& stroke) {
     if (stroke.grabbed.kind == Pick::Kind::None)
-        return told("nothing_here", "There is no vertex under the pen to move.", {});
+        return told(DeskNote::Key::NothingHere, "There is no vertex under the pen to move.", {});
     if (length(stroke.to - stroke.grabbed.place) < kLeastStep_cm) return {};
     DesignStep step;
     step.kind = Kind::Move;
@@ -58,7 +58,8 @@ DeskReply GarmentDesk::end_move(const OpenStroke& stroke) {
 
 /// Smooth and Bump: from where the pen came down to the place of the same line nearest to where it was lifted.
 DeskReply GarmentDesk::end_along(const OpenStroke& stroke, Kind kind) {
-    if (stroke.grabbed.kind != Pick::Kind::Line) return told("nothing_here", "There is no line under the pen.", {});
+    if (stroke.grabbed.kind != Pick::Kind::Line)
+        return told(DeskNote::Key::NothingHere, "There is no line under the pen.", {});
     const SpaceLine& shape = network().lines()[static_cast<std::size_t>(stroke.grabbed.index)].shape;
     DesignStep step;
     step.kind = kind;
@@ -85,7 +86,7 @@ DeskReply GarmentDesk::end_weld(const OpenStroke& stroke) {
     const Pick onto = pick_vertex(network(), layer(), stroke.view, stroke.last, settings_.reach_cm);
     if (stroke.grabbed.kind != Pick::Kind::Vertex || onto.kind != Pick::Kind::Vertex ||
         onto.index == stroke.grabbed.index)
-        return told("nothing_here", "Draw from one vertex to another to join them.", stroke.grabbed.place);
+        return told(DeskNote::Key::NothingHere, "Draw from one vertex to another to join them.", stroke.grabbed.place);
     DesignStep step;
     step.kind = Kind::Weld;
     step.at = onto.place;
@@ -115,7 +116,7 @@ DeskReply GarmentDesk::end_tap(const OpenStroke& stroke, DeskTool tool) {
     if (tool == DeskTool::Corner) {
         const Pick vertex = pick_vertex(network(), layer(), stroke.view, stroke.first, settings_.reach_cm);
         const NetworkRegion* of = region_at_corner(network(), layer(), vertex, line, region);
-        if (of == nullptr) return told("nothing_here", "There is no edge of a piece here.", {});
+        if (of == nullptr) return told(DeskNote::Key::NothingHere, "There is no edge of a piece here.", {});
         step.kind = Kind::Corner;
         step.region = of->name;
         step.at = vertex.kind == Pick::Kind::Vertex ? vertex.place : line.place;
@@ -123,7 +124,7 @@ DeskReply GarmentDesk::end_tap(const OpenStroke& stroke, DeskTool tool) {
         return act({step});
     }
     if (region.kind == Pick::Kind::None)
-        return told("nothing_here", "There is nothing of this layer under the pen.", {});
+        return told(DeskNote::Key::NothingHere, "There is nothing of this layer under the pen.", {});
     step.kind = Kind::Remove;
     step.region = region.name;
     return act({step});

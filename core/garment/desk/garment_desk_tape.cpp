@@ -72,7 +72,7 @@ DeskReply GarmentDesk::end_tape(const OpenStroke& stroke) {
     }
     if (reply.tape->tape.empty()) {
         reply.tape.reset();
-        reply.notes.push_back({"nothing_here", "There is nothing here to measure.", {}, {}, 0.0});
+        reply.notes.push_back({DeskNote::Key::NothingHere, "There is nothing here to measure.", {}, {}, 0.0});
     }
     return reply;
 }

@@ -11,6 +11,7 @@ LiftedStroke::LiftedStroke(const SketchStroke& stroke, const Obstacle& body) {
             const Result<void> done = lifter.add(at);
             if (!done && !fault) {
                 fault = done.error();
+                fault_part = k;
                 if (!lifter.line().empty()) fault_place = lifter.line().back();
             }
             const bool lies = done && !lifter.line().empty() && (lifter.line().size() > before || before > 0);

@@ -19,6 +19,7 @@ struct LiftedStroke {
     };
     std::vector<Sample> samples;
     std::optional<Error> fault;  ///< of the first that cannot be lifted
+    std::size_t fault_part = 0;  ///< that it belongs to
     Vec3 fault_place;            ///< the last place before it
 
     LiftedStroke(const SketchStroke& stroke, const Obstacle& body);

@@ -207,6 +207,78 @@ TEST_CASE("New empties the figure and offers the way back", "[garment mode]") {
     CHECK(kiosk.scene() == app::Scene::Work);
 }
 
+TEST_CASE("Undo brings back what New put away, also when its offer is gone", "[garment mode]") {
+    test::KioskStand kiosk(kSize);
+    test::GarmentHand hand(kiosk);
+    hand.enter();
+    hand.skirt();
+    const std::string drawn = core::design_text(kiosk.garment->design());
+    hand.press(A::Page, 2);
+    hand.press(A::New);
+    kiosk.wait(9);
+    CHECK_FALSE(state(kiosk).cleared);
+    hand.draw({{0, 106}, {10, 106}});
+    kiosk.tap(kiosk.garment->layout().undo);  // the line
+    CHECK(state(kiosk).empty);
+    REQUIRE(state(kiosk).can_undo);
+    kiosk.tap(kiosk.garment->layout().undo);
+    CHECK(core::design_text(kiosk.garment->design()) == drawn);
+}
+
+TEST_CASE("a line goes on from its end in another view, in a plane that the stepper puts", "[garment mode]") {
+    test::KioskStand kiosk(kSize);
+    test::GarmentHand hand(kiosk);
+    hand.enter();
+    hand.tool(T::OnPlane);
+    CHECK(state(kiosk).stepper.of == ui::StepperOf::Depth);
+    CHECK_FALSE(state(kiosk).stepper.cm.has_value());
+    hand.number(-3.4);
+    REQUIRE(state(kiosk).stepper.cm.has_value());
+    CHECK(*state(kiosk).stepper.cm == Approx(-3.4));
+    CHECK(state(kiosk).plane_traces.size() == 2);  // the side and the solid view; the back sees it as its sheet
+    hand.draw({{30, 100}, {30, 80}});
+    const core::Vec3 end = kiosk.garment->desk().network().lines()[0].shape.back();
+    CHECK(end.z == Approx(-3.4));
+    hand.tap({30, 80});
+    CHECK(state(kiosk).line_goes_on);
+    hand.view(V::Top);
+    CHECK(state(kiosk).stepper.of == ui::StepperOf::Height);
+    hand.number(70);
+    hand.draw({hand.seen(end), {26, -8}, {20, -12}});
+    CHECK(state(kiosk).line_goes_on);
+    CHECK(kiosk.garment->desk().history().size() == 1);
+    CHECK(kiosk.garment->design().steps.front().stroke.size() == 2);
+    kiosk.tap(kiosk.garment->layout().undo);
+    CHECK(kiosk.garment->design().steps.front().stroke.size() == 1);
+    kiosk.tap(kiosk.garment->layout().redo);  // Finish
+    CHECK_FALSE(state(kiosk).line_goes_on);
+    // a tap on the number lets the plane go, another puts it back
+    const ui::Rect& stepper = kiosk.garment->layout().stepper;
+    kiosk.tap(stepper.centre_x(), stepper.centre_y());
+    CHECK_FALSE(state(kiosk).stepper.cm.has_value());
+    kiosk.tap(stepper.centre_x(), stepper.centre_y());
+    CHECK(state(kiosk).stepper.cm == std::optional<double>(70.0));
+    // another tool ends what goes on
+    hand.tap({20, -12});
+    hand.view(V::Front);
+    hand.tap(hand.seen(kiosk.garment->desk().network().lines()[0].shape.front()));
+    REQUIRE(state(kiosk).line_goes_on);
+    hand.tool(T::Cut);
+    CHECK_FALSE(state(kiosk).line_goes_on);
+}
+
+TEST_CASE("quads are chosen on the page of the design as a whole", "[garment mode]") {
+    test::KioskStand kiosk(kSize);
+    test::GarmentHand hand(kiosk);
+    hand.enter();
+    hand.press(A::Page, 2);
+    CHECK(state(kiosk).stepper.of == ui::StepperOf::Quads);
+    hand.number(1.6);
+    CHECK(kiosk.garment->desk().network().options().edge_cm == Approx(1.6));
+    kiosk.tap(kiosk.garment->layout().undo);
+    CHECK(state(kiosk).stepper.cm == std::optional<double>(2.5));
+}
+
 TEST_CASE("a stroke off the figure says what to do, and nothing is lost", "[garment mode]") {
     test::KioskStand kiosk(kSize);
     test::GarmentHand hand(kiosk);

@@ -24,13 +24,16 @@ core::DressForm post_form() {
     return form;
 }
 
-GarmentDesk empty_desk() {
+core::Design empty_design() {
     core::Design design;
     design.name = "skirt";
     design.body = *core::measures_of_size("38");
-    auto desk = GarmentDesk::open(design, post_form());
-    REQUIRE(desk);
-    return std::move(*desk);
+    return design;
+}
+
+GarmentDesk empty_desk() {
+    static const core::DesignRunner post = *core::DesignRunner::start(empty_design(), post_form());
+    return GarmentDesk::open(empty_design(), post);
 }
 
 /// The lines of a skirt round the post, from y = 45 to y = 15.
@@ -90,7 +93,7 @@ TEST_CASE("four strokes make the front of a skirt, three more its back", "[garme
     waist_back(hand), hem_back(hand);
     const std::vector<core::DeskNote> open = desk.open_places();
     REQUIRE(open.size() == 2);
-    CHECK(open[0].key == "open_middle");
+    CHECK(open[0].key == core::DeskNote::Key::OpenMiddle);
     CHECK(open[0].gap_cm > 10.0);
     middle_back(hand);
     CHECK(regions_of(desk) == std::set<std::string>{"back", "front"});
@@ -252,7 +255,7 @@ TEST_CASE("a tap of Add fills an outline that was emptied, a stroke adds a piece
     const DeskReply nothing = hand.tap(DeskTool::Add, "front", {40, 40});
     CHECK_FALSE(nothing.changed);
     REQUIRE(nothing.notes.size() == 1);
-    CHECK(nothing.notes[0].key == "nothing_here");
+    CHECK(nothing.notes[0].key == core::DeskNote::Key::NothingHere);
 }
 
 TEST_CASE("corners, folds, smoothing, moving and joining change lines where the pen is", "[garment_desk]") {
@@ -314,6 +317,88 @@ TEST_CASE("strokes go on in another view, and in the temporary plane through the
     REQUIRE(hand.draw(DeskTool::DrawTemporary, "front", {{17, 15}, {14, 20}, {9, 26}}).changed);
     CHECK(desk.network().lines().back().shape.back().z < -10.0);
     CHECK(desk.network().lines().back().shape.back().y == Approx(15.0).margin(0.3));
+}
+
+TEST_CASE("parts of a piece are of its cloth and keep its corners, by Cut, Hole or a line across", "[garment_desk]") {
+    GarmentDesk desk = empty_desk();
+    DeskHand hand(desk);
+    skirt(desk);
+    REQUIRE(desk.set_material("front", {"#8c4a43", "linen"}).changed);
+    // a corner half way down the side
+    REQUIRE(hand.tap(DeskTool::Corner, "front", {13, 30}).changed);
+    const auto corner_on = [&](const std::string& piece, double y) {
+        const core::NetworkRegion& region = *desk.network().find_region(piece);
+        return std::any_of(region.corners.begin(), region.corners.end(), [&](int v) {
+            return std::abs(desk.network().vertices()[static_cast<std::size_t>(v)].place.y - y) < 0.5;
+        });
+    };
+    REQUIRE(corner_on("front", 30));
+    const std::size_t before = desk.history().size();
+    SECTION("Cut") {
+        REQUIRE(hand.draw(DeskTool::Cut, "front", {{0, 38}, {6, 38}, {12, 38}}).changed);
+    }
+    SECTION("a line across") {
+        desk.settings().offset_cm = 1.0;
+        REQUIRE(hand.draw(DeskTool::DrawOnBody, "front", {{0, 38}, {6, 38}, {11.6, 38}}).changed);
+    }
+    SECTION("Hole") {
+        REQUIRE(hand.draw(DeskTool::Hole, "front", {{4, 36}, {8, 36}, {8, 40}, {4, 40}, {4, 36.2}}).changed);
+    }
+    CHECK(desk.history().size() == before + 1);
+    std::size_t dyed = 0, with_corner = 0;
+    for (const std::string& piece : regions_of(desk)) {
+        if (piece.rfind("front", 0) != 0) continue;
+        ++dyed;
+        const auto material = desk.state().look().materials.find(piece);
+        REQUIRE(material != desk.state().look().materials.end());
+        CHECK(material->second.fabric == "linen");
+        with_corner += corner_on(piece, 30) ? 1 : 0;
+    }
+    CHECK(dyed == 2);
+    CHECK(with_corner == 1);
+}
+
+TEST_CASE("quads are as long as the designer says, in one act", "[garment_desk]") {
+    GarmentDesk desk = empty_desk();
+    skirt(desk);
+    desk.build_now();
+    const std::size_t coarse = desk.cloth()[0].cloth->fitted.mesh.quads.size(), acts = desk.history().size();
+    REQUIRE(desk.set_edge(2.0).changed);
+    REQUIRE(desk.set_edge(1.6).changed);
+    CHECK(desk.history().size() == acts + 1);
+    CHECK_FALSE(desk.set_edge(1.6).changed);
+    CHECK_FALSE(desk.set_edge(0.1).changed);
+    CHECK(desk.set_edge(0.1).notes.size() == 1);
+    CHECK(desk.network().options().edge_cm == 1.6);
+    desk.build_now();
+    CHECK(desk.cloth()[0].cloth->fitted.mesh.quads.size() > 2 * coarse);
+    const auto read = core::parse_design(core::design_text(desk.design()));
+    REQUIRE(read);
+    const auto garment = core::make_garment(*read, post_form());
+    REQUIRE(garment);
+    CHECK(garment->layers[0].fitted.mesh.vertices == desk.cloth()[0].cloth->fitted.mesh.vertices);
+    REQUIRE(desk.undo().changed);
+    CHECK(desk.network().options().edge_cm == core::NetworkOptions{}.edge_cm);
+    // a desk on the same body finds what was finished
+    GarmentDesk other = GarmentDesk::open(*read, desk.state());
+    other.build_now();
+    desk.undo();
+    CHECK(other.cloth()[0].cloth->fitted.mesh.vertices == garment->layers[0].fitted.mesh.vertices);
+}
+
+TEST_CASE("an outline is filled in the same way wherever its ring began", "[garment_desk]") {
+    std::set<std::size_t> quads;
+    for (const bool front_first : {true, false}) {
+        GarmentDesk desk = empty_desk();
+        DeskHand hand(desk);
+        std::vector<DeskReply (*)(DeskHand)> lines{waist, side, hem, middle};
+        if (!front_first) std::rotate(lines.begin(), lines.begin() + 2, lines.end());
+        for (auto* line : lines) REQUIRE(line(hand).changed);
+        desk.build_now();
+        REQUIRE(desk.cloth()[0].cloth->fitted.pieces.size() == 2);
+        quads.insert(desk.cloth()[0].cloth->fitted.mesh.quads.size());
+    }
+    CHECK(quads.size() == 1);
 }
 
 TEST_CASE("a line goes on from stroke to stroke, each in its own view, as one act", "[garment_desk]") {
@@ -469,7 +554,7 @@ TEST_CASE("nothing drawn is lost beside the body", "[garment_desk]") {
     const DeskReply half = hand.on_body("front", 0.6, {{0, 30}, {10, 30}, {80, 30}});
     CHECK(half.changed);
     REQUIRE(half.notes.size() == 1);
-    CHECK(half.notes[0].key == "off_body");
+    CHECK(half.notes[0].key == core::DeskNote::Key::OffBody);
     CHECK(core::length(half.notes[0].place) > 10.0);
     const DeskReply beside = hand.on_body("front", 0.6, {{60, 30}, {60, 40}});
     CHECK(beside.changed);
@@ -478,9 +563,9 @@ TEST_CASE("nothing drawn is lost beside the body", "[garment_desk]") {
     const DeskReply edge_on = hand.on_plane("front", 0.0, {{20, 30}, {20.1, 30}});
     CHECK_FALSE(edge_on.changed);
     REQUIRE(edge_on.notes.size() == 1);
-    CHECK(edge_on.notes[0].key == "too_short");
+    CHECK(edge_on.notes[0].key == core::DeskNote::Key::TooShort);
     const DeskReply no_piece = hand.draw(DeskTool::Cut, "front", {{0, 30}, {10, 30}});
-    CHECK(no_piece.notes[0].key == "no_region");
+    CHECK(no_piece.notes[0].key == core::DeskNote::Key::NoRegion);
 }
 
 TEST_CASE("layers are drawn on, put in order, hidden, named; what is below is worn below", "[garment_desk]") {

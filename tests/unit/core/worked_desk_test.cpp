@@ -165,7 +165,7 @@ TEST_CASE("a drawn garment is carried to another body, and drawn on there", "[wo
     const core::DeskReply refused = desk.set_body(none);
     CHECK_FALSE(refused.changed);
     REQUIRE(refused.notes.size() == 1);
-    CHECK(refused.notes[0].key == "body_unfit");
+    CHECK(refused.notes[0].key == core::DeskNote::Key::BodyUnfit);
     CHECK_FALSE(desk.set_own_body("nobody.obj").changed);
     REQUIRE(desk.undo().changed);
     REQUIRE(desk.undo().changed);
