@@ -105,6 +105,7 @@ void BestShadow::clear(ui::Painter& painter) {
     candidate_.reset();
     held_ = asked_ = false;
     ++epoch_;
+    if (worker_) worker_->forget();
 }
 
 std::vector<ui::ShadowPart> BestShadow::shown(std::int64_t now_us, const ui::InkFrame& frame,

@@ -305,6 +305,7 @@ void DetailView::close(ui::Painter& painter) {
     similar_.clear();
     stage_.clear_model();
     model_ = Model::None;
+    if (worker_) worker_->forget();
     still_.reset();
     ink_.resize({1, 1});
     lifted_ = {};

@@ -45,6 +45,14 @@ class NewestWorker {
         const std::scoped_lock lock(mutex_);
         return std::exchange(done_, std::nullopt);
     }
+    /// What waits is not begun, what is done is dropped, and of the job that runs nothing comes: whoever wanted it has
+    /// left, and nothing of theirs is kept. Returns at once.
+    void forget() {
+        const std::scoped_lock lock(mutex_);
+        waiting_.reset();
+        done_.reset();
+        wanted_ = false;
+    }
 
   private:
     void run(const std::stop_token& stop) {
@@ -54,6 +62,7 @@ class NewestWorker {
                 std::unique_lock lock(mutex_);
                 if (!changed_.wait(lock, stop, [this] { return waiting_.has_value(); })) return;
                 job = std::exchange(waiting_, std::nullopt);
+                wanted_ = true;
             }
             std::optional<Result> result;
             try {
@@ -61,8 +70,9 @@ class NewestWorker {
             } catch (const std::exception&) {
                 continue;
             }
+            job.reset();
             const std::scoped_lock lock(mutex_);
-            done_ = std::move(result);
+            if (wanted_) done_ = std::move(result);
         }
     }
 
@@ -71,6 +81,7 @@ class NewestWorker {
     std::condition_variable_any changed_;
     std::optional<Job> waiting_;
     std::optional<Result> done_;
+    bool wanted_ = false;  // the result of the job that runs
     std::jthread thread_;
 };
 

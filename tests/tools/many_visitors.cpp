@@ -7,9 +7,11 @@
 
 #include <malloc.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <thread>
 
 #include "core/exchange/quickdraw_reader.hpp"
 #include "firmware_like_app/health/self_test.hpp"
@@ -52,7 +54,9 @@ void visit(test::KioskStand& kiosk, int number, const core::Drawing& drawing) {
     kiosk.wait(90);  // Still there?, and the wipe
 }
 
+/// What is made beside the frames is let end first: what was left is dropped then.
 double settled_mb() {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
     malloc_trim(0);
     return app::resident_mb();
 }
