@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "core/exchange/image_reader.hpp"
+#include "firmware_like_app/garment/design_faults.hpp"
 #include "ui/screens/widgets.hpp"
 
 namespace app {
@@ -42,7 +43,7 @@ bool GalleryDesk::ready() {
     if (store)
         store_.emplace(std::move(*store));
     else
-        state_.message = store.error().sentence();
+        state_.message = design_fault_words(store.error(), words());
     return store_.has_value();
 }
 
@@ -64,7 +65,7 @@ void GalleryDesk::refresh() {
     if (!store_) return;
     core::Result<std::vector<db::DesignEntry>> entries = store_->list(state_.bin ? db::Shelf::Bin : db::Shelf::Kept);
     if (!entries) {
-        state_.message = entries.error().sentence();
+        state_.message = design_fault_words(entries.error(), words());
         return;
     }
     entries_ = std::move(*entries);
@@ -89,7 +90,7 @@ std::vector<std::pair<ui::PictureId, core::RgbaImage>> GalleryDesk::take_picture
 }
 
 void GalleryDesk::tell(const core::Error& error, std::int64_t now_us) {
-    state_.message = error.sentence();
+    state_.message = design_fault_words(error, words());
     state_.deleted.clear();
     shown_until_us_ = now_us + options_.undo_us;
 }

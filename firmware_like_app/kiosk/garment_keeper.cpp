@@ -14,10 +14,10 @@ void GarmentKeeper::take(core::GarmentDesk& desk) {
         const core::Result<std::int64_t> made =
             store ? store->create(desk.design()) : core::Result<std::int64_t>(core::unexpected(store.error()));
         if (!made) {
-            problem_ = made.error().sentence();
+            problem_ = made.error();
             return;
         }
-        problem_.clear();
+        problem_.reset();
         follow(*made, 0);
         return;
     }
@@ -36,7 +36,7 @@ void GarmentKeeper::follow(std::int64_t id, std::int64_t sequence) {
 
 std::optional<std::int64_t> GarmentKeeper::end() {
     journal_.reset();
-    problem_.clear();
+    problem_.reset();
     const std::int64_t kept = std::exchange(id_, 0);
     return kept != 0 ? std::optional<std::int64_t>(kept) : std::nullopt;
 }
@@ -60,10 +60,9 @@ core::Result<db::OpenedDesign> GarmentKeeper::load(std::int64_t id) const {
     return store->load(id);
 }
 
-std::string GarmentKeeper::problem() const {
-    if (!problem_.empty()) return problem_;
-    const std::optional<core::Error> fault = journal_ ? journal_->fault() : std::nullopt;
-    return fault ? fault->sentence() : "";
+std::optional<core::Error> GarmentKeeper::problem() const {
+    if (problem_ || !journal_) return problem_;
+    return journal_->fault();
 }
 
 }  // namespace app

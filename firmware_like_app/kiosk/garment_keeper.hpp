@@ -34,14 +34,14 @@ class GarmentKeeper {
     [[nodiscard]] core::Result<db::OpenedDesign> load(std::int64_t id) const;
     /// Of the design at work; 0: it is not kept yet.
     [[nodiscard]] std::int64_t id() const { return id_; }
-    /// Why something could not be stored, in a sentence; empty while all is well.
-    [[nodiscard]] std::string problem() const;
+    /// Why something could not be stored; nothing while all is well.
+    [[nodiscard]] std::optional<core::Error> problem() const;
 
   private:
     std::filesystem::path file_;
     std::unique_ptr<db::DesignJournal> journal_;
     std::int64_t id_ = 0;
-    std::string problem_;
+    std::optional<core::Error> problem_;
 };
 
 }  // namespace app

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "firmware_like_app/garment/design_faults.hpp"
 #include "firmware_like_app/garment/design_sources.hpp"
 #include "firmware_like_app/kiosk/garment_mode.hpp"
 #include "ui/screens/widgets.hpp"
@@ -145,21 +146,21 @@ void GarmentMode::open_kept(std::int64_t id) {
     (void)keeper_.end();  // its last words are stored before the file is read
     const core::Result<db::OpenedDesign> kept = keeper_.load(id);
     if (!kept) {
-        problem_ = kept.error().sentence();
+        problem_ = design_fault_words(kept.error(), words());
         return;
     }
     core::Design whole = kept->state.design;
     const std::size_t place = db::count_acts(whole.steps);
     whole.steps.insert(whole.steps.end(), kept->state.undone.begin(), kept->state.undone.end());
     if (const core::Result<void> opened = open(whole); !opened) {
-        problem_ = opened.error().sentence();
+        problem_ = design_fault_words(opened.error(), words());
         return;
     }
     if (!kept->state.undone.empty()) (void)desk_->go_to(place);
     stepper_.set_quads(desk_->network().options().edge_cm);
     (void)desk_->take_journal();
     keeper_.follow(id, kept->sequence);
-    if (!kept->faults.empty()) problem_ = kept->faults.front();
+    if (!kept->faults.empty()) problem_ = words()["designs_damaged"];
     choose_piece();
     request_cloth();
     show_cloth();

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "firmware_like_app/garment/design_faults.hpp"
 #include "firmware_like_app/kiosk/garment_mode.hpp"
 #include "ui/draw/coverage.hpp"
 #include "ui/screens/garment_names.hpp"
@@ -208,7 +209,8 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     state.figure = FigureViews::kFigure;
     state.figure_revision = views_.revision();
     state.problem = !body_problem_.empty() ? body_problem_ : problem_;
-    if (state.problem.empty()) state.problem = keeper_.problem();
+    if (state.problem.empty())
+        if (const auto fault = keeper_.problem()) state.problem = design_fault_words(*fault, words());
     if (state.problem.empty()) state.problem = objects_.problem();
     state.line_open = hold_ == Hold::Drawing;
     fill_drawer(state);

@@ -151,7 +151,13 @@ TEST_CASE("a file that is none is said, and nothing else happens", "[gallery_des
     GalleryDesk desk(stand.fonts, stand.languages, stand.folder.write("diary.txt", "Dear diary"), stand.options);
     desk.open(0, 0, ui::Hand::Right);
     CHECK(desk.state().cards.empty());
-    CHECK(desk.state().message.find("no Croquis file of designs") != std::string::npos);
+    CHECK(desk.state().message == "diary.txt: This is no file of designs. Staff: name another one in the settings.");
+    const std::string english = desk.state().message;
+    for (std::size_t language = 1; language < stand.languages.size(); ++language) {
+        desk.open(0, language, ui::Hand::Right);
+        CHECK(desk.state().message != english);
+        CHECK(desk.state().message.starts_with("diary.txt: "));
+    }
     CHECK_FALSE(desk.press(ui::gallery_item(GalleryAction::Delete, 0), 1));
     CHECK_FALSE(desk.press(ui::gallery_item(GalleryAction::Shelf, 1), 1));
 }
