@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMap = 256;
 constexpr double kFinest = 0.06;  // longest edge, units of the normalised frame
-constexpr std::size_t kMostTriangles = 18'000;
+constexpr std::size_t kMostTriangles = 15'000;
 constexpr double kBehind = 0.035;  // this much behind what is seen still counts as seen
 constexpr int kBlends = 2;
 constexpr double kInwards = 4.0 / kMap;  // plane units, two pixels

@@ -30,7 +30,7 @@ struct LiftedModel {
 };
 
 /// Cuts triangles until none is longer than a few hundredths of the model, so that borders are fine on coarse meshes,
-/// at most about 18,000. Faces keep their smooth normals. Without coloured parts all is clay. 10 to 60 ms.
+/// at most about 15,000. Faces keep their smooth normals. Without coloured parts all is clay. 10 to 60 ms.
 [[nodiscard]] LiftedModel lift_parts(const ModelGeometry& geometry, const core::Camera& camera,
                                      const std::vector<PartRegion>& parts);
 
