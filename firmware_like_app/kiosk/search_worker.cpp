@@ -1,5 +1,6 @@
 #include "firmware_like_app/kiosk/search_worker.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -44,6 +45,14 @@ std::optional<PreparedAnswer> SearchWorker::wait_for(std::uint64_t ticket) {
     return std::exchange(done_, std::nullopt);
 }
 
+void SearchWorker::forget() {
+    const std::scoped_lock lock(mutex_);
+    waiting_.reset();
+    done_.reset();
+    forgotten_ticket_ = done_ticket_ = last_ticket_;  // nobody waits for these any more
+    changed_.notify_all();
+}
+
 std::uint64_t SearchWorker::searches() const {
     const std::scoped_lock lock(mutex_);
     return searches_;
@@ -59,8 +68,8 @@ void SearchWorker::work(const std::stop_token& stop) {
         }
         PreparedAnswer answer = run(*job, stop);
         const std::scoped_lock lock(mutex_);
-        done_ticket_ = answer.ticket;
-        done_ = std::move(answer);
+        done_ticket_ = std::max(done_ticket_, answer.ticket);
+        if (answer.ticket > forgotten_ticket_) done_ = std::move(answer);
         ++searches_;
         changed_.notify_all();
     }

@@ -40,6 +40,9 @@ class SearchWorker {
     [[nodiscard]] std::optional<PreparedAnswer> take();
     /// Waits until a search with this ticket or a newer one is done and takes it. Nothing when it was taken before.
     [[nodiscard]] std::optional<PreparedAnswer> wait_for(std::uint64_t ticket);
+    /// What waits is not searched, what is done is dropped, and of the search that runs nothing comes: its drawing was
+    /// put away. Returns at once.
+    void forget();
     /// Searches done so far.
     [[nodiscard]] std::uint64_t searches() const;
 
@@ -58,7 +61,7 @@ class SearchWorker {
     std::condition_variable_any changed_;
     std::optional<Job> waiting_;
     std::optional<PreparedAnswer> done_;
-    std::uint64_t last_ticket_ = 0, done_ticket_ = 0, searches_ = 0;
+    std::uint64_t last_ticket_ = 0, done_ticket_ = 0, forgotten_ticket_ = 0, searches_ = 0;
     std::jthread thread_;
 };
 

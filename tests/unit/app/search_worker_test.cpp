@@ -153,3 +153,20 @@ TEST_CASE("a searcher is told when the last stroke is still being drawn", "[work
     CHECK(worker.wait_for(worker.submit(drawing_of(1), true))->answer.message_key == "unfinished");
     CHECK(worker.wait_for(worker.submit(drawing_of(1)))->answer.message_key == "whole");
 }
+
+TEST_CASE("nothing comes of drawings that were put away", "[worker]") {
+    SlowSearcher searcher;
+    app::SearchWorker worker(searcher);
+    worker.submit(drawing_of(1));
+    searcher.wait_until_started();
+    const std::uint64_t waiting = worker.submit(drawing_of(2));
+    worker.forget();
+    CHECK_FALSE(worker.wait_for(waiting));  // nobody is kept waiting for them
+    searcher.let_go();
+    const auto next = worker.wait_for(worker.submit(drawing_of(3)));
+    REQUIRE(next);
+    CHECK(next->answer.search_ms == 3);
+    CHECK(searcher.seen() == std::vector<std::size_t>{1, 3});
+    worker.forget();
+    CHECK_FALSE(worker.take());
+}
