@@ -217,7 +217,7 @@ TEST_CASE("a garment is exported to a folder by two presses", "[garment keep]") 
     hand.open("skirt_flat");
     hand.press(A::Export);
     hand.press(A::ExportAs, 2);  // a pattern for cutting
-    for (int k = 0; k < 500 && kiosk.garment->export_state().stage != app::ExportState::Stage::Saved; ++k) {
+    for (int k = 0; k < 6000 && kiosk.garment->export_state().stage != app::ExportState::Stage::Saved; ++k) {
         REQUIRE(kiosk.garment->export_state().stage != app::ExportState::Stage::Failed);
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
