@@ -23,7 +23,9 @@ bool has_moved(const ShadowShape& a, const ShadowShape& b) {
 }  // namespace
 
 BestShadow::BestShadow(bool beside) {
-    if (beside) worker_ = std::make_unique<NewestWorker<Job, Ready>>(make);
+    if (beside)
+        worker_ = std::make_unique<NewestWorker<Job, Ready>>(
+            [](const Job& job, const std::stop_token& /*stop*/) { return make(job); });
 }
 
 BestShadow::Ready BestShadow::make(const Job& job) {

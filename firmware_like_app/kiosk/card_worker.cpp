@@ -3,52 +3,36 @@
 #include <exception>
 #include <utility>
 
-#include "firmware_like_app/kiosk/background.hpp"
-
 namespace app {
 
-CardWorker::CardWorker() {
-    thread_ = std::jthread([this](const std::stop_token& stop) {
-        yield_to_the_pen();
-        work(stop);
-    });
-}
-
-CardWorker::~CardWorker() {
-    thread_.request_stop();
-    thread_.join();
-}
+CardWorker::CardWorker()
+    : worker_([this](const PreparedAnswer& wanted, const std::stop_token& stop) { return prepare(wanted, stop); }) {}
 
 void CardWorker::start(PreparedAnswer answer) {
     busy_ = true;
-    const std::scoped_lock lock(mutex_);
-    waiting_ = std::move(answer);
-    changed_.notify_all();
+    worker_.start(std::move(answer));
 }
 
 std::optional<PreparedAnswer> CardWorker::take() {
-    const std::scoped_lock lock(mutex_);
-    if (done_) busy_ = false;
-    return std::exchange(done_, std::nullopt);
+    std::optional<PreparedAnswer> ready = worker_.take();
+    if (ready) busy_ = false;
+    return ready;
 }
 
-void CardWorker::work(const std::stop_token& stop) {
-    while (!stop.stop_requested()) {
-        std::optional<PreparedAnswer> answer;
-        {
-            std::unique_lock lock(mutex_);
-            if (!changed_.wait(lock, stop, [this] { return waiting_.has_value(); })) return;
-            answer = std::exchange(waiting_, std::nullopt);
-        }
-        try {
-            answer->cards = preparer_.prepare(answer->answer, stop);
-        } catch (const std::exception& e) {  // out of memory: the cards show names alone
-            answer->cards.clear();
-            answer->failure = e.what();
-        }
-        const std::scoped_lock lock(mutex_);
-        done_ = std::move(answer);
+void CardWorker::forget() {
+    worker_.forget();
+    busy_ = false;
+}
+
+PreparedAnswer CardWorker::prepare(const PreparedAnswer& wanted, const std::stop_token& stop) {
+    PreparedAnswer answer = wanted;
+    try {
+        answer.cards = preparer_.prepare(answer.answer, stop);
+    } catch (const std::exception& e) {  // out of memory: the cards show names alone
+        answer.cards.clear();
+        answer.failure = e.what();
     }
+    return answer;
 }
 
 }  // namespace app

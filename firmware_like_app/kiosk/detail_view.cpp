@@ -189,7 +189,10 @@ void DetailView::upload_model() {
 
 void DetailView::set_frames_are_seen(bool seen) {
     frames_are_seen_ = seen;
-    worker_ = seen ? std::make_unique<NewestWorker<DetailJob, PreparedDetail>>(prepare_detail) : nullptr;
+    worker_.reset();
+    if (seen)
+        worker_ = std::make_unique<NewestWorker<DetailJob, PreparedDetail>>(
+            [](const DetailJob& job, const std::stop_token& /*stop*/) { return prepare_detail(job); });
 }
 
 void DetailView::use_spare_time(ui::Painter& painter) {

@@ -298,6 +298,7 @@ void FindMode::submit() {
 void FindMode::drop_results() {
     oldest_ticket_ = last_ticket_ + 1;
     if (worker_) worker_->forget();
+    if (card_worker_) card_worker_->forget();
     ranking_.reset();
     answer_.reset();
     shadow_.clear(painter_);

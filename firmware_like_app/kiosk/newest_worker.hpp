@@ -1,15 +1,16 @@
 #pragma once
 // Work on a thread of its own of which only the newest counts: at most one job runs and one waits.
 //
-//     NewestWorker<DetailJob, PreparedDetail> worker(prepare_detail);
-//     worker.start(job);                                  // when something is wanted
-//     if (auto ready = worker.take()) …                   // once a frame
+//     NewestWorker<DetailJob, PreparedDetail> worker([](const DetailJob& job, const auto&) { return
+//     prepare_detail(job); }); worker.start(job);                                  // when something is wanted if (auto
+//     ready = worker.take()) …                   // once a frame
 
 #include <condition_variable>
 #include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <thread>
 #include <utility>
 
@@ -20,7 +21,8 @@ namespace app {
 template <typename Job, typename Result>
 class NewestWorker {
   public:
-    explicit NewestWorker(std::function<Result(const Job&)> work) : work_(std::move(work)) {
+    /// `work` may look at the token, to end early when the worker goes.
+    explicit NewestWorker(std::function<Result(const Job&, const std::stop_token&)> work) : work_(std::move(work)) {
         thread_ = std::jthread([this](const std::stop_token& stop) {
             yield_to_the_pen();
             run(stop);
@@ -66,7 +68,7 @@ class NewestWorker {
             }
             std::optional<Result> result;
             try {
-                result = work_(*job);
+                result = work_(*job, stop);
             } catch (const std::exception&) {
                 continue;
             }
@@ -76,7 +78,7 @@ class NewestWorker {
         }
     }
 
-    std::function<Result(const Job&)> work_;
+    std::function<Result(const Job&, const std::stop_token&)> work_;
     std::mutex mutex_;
     std::condition_variable_any changed_;
     std::optional<Job> waiting_;

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 /// Doubles numbers; each job says that it has begun, and waits for leave to end.
 struct Doubler {
     std::counting_semaphore<> begun{0}, leave{0};
-    app::NewestWorker<int, int> worker{[this](const int& number) {
+    app::NewestWorker<int, int> worker{[this](const int& number, const std::stop_token& /*stop*/) {
         begun.release();
         leave.acquire();
         return 2 * number;
