@@ -23,6 +23,7 @@ constexpr double kLeastZoom = 0.6, kMostZoom = 4, kZoomStep = 1.3;
 constexpr std::int64_t kSlowFrame_us = 26'000;
 constexpr int kSlowEnough = 2;
 constexpr double kDraft = 0.5;
+constexpr int kPieceTriangles = 2'500;  // of a whole picture that takes several frames: 5 to 10 ms of two cores
 constexpr double kDrawingMargin = 0.11;
 constexpr double kStillShare = 0.4;   // of the model's place: its picture has twice the pixels each way
 constexpr double kTagsApart_px = 38;  // of the design: a number on the drawing and its edge
@@ -203,20 +204,11 @@ void DetailView::use_spare_time(ui::Painter& painter) {
         stage_.make_picture(whole(layout_.stage));
         model_ = Model::Pictured;
     } else if (model_ == Model::Pictured && view_) {
-        draw_first(painter);
+        if (!drawn_view_) begin_whole();
+        if (draw_piece(painter)) model_ = Model::Drawn;
     } else {
         paint_similar(1, painter);
     }
-}
-
-/// Nobody sees it yet, so it may be waited for: a model that is slow to draw is a draft from its first turn on.
-void DetailView::draw_first(ui::Painter& painter) {
-    const auto start = std::chrono::steady_clock::now();
-    draw_stage(painter);
-    ui::finish();
-    const auto took = std::chrono::steady_clock::now() - start;
-    if (took > std::chrono::microseconds(kSlowFrame_us)) slow_frames_ = std::max(slow_frames_, kSlowEnough);
-    model_ = Model::Drawn;
 }
 
 void DetailView::resize(ui::SizePx screen, ui::Hand hand, ui::Painter& painter) {
@@ -410,9 +402,8 @@ void DetailView::settle(std::int64_t now_us) {
 
 void DetailView::update(std::int64_t now_us) {
     if (!is_open()) return;
-    // drafts tell nothing of whether whole pictures would be fast enough: only those that were whole count
-    if (drew_last_ && !draft_)
-        slow_frames_ = std::clamp(slow_frames_ + (now_us - last_us_ > kSlowFrame_us ? 1 : -1), 0, 4);
+    // drafts tell nothing of whether whole pictures would be fast enough: only those that were drawn in one go count
+    if (drew_whole_) slow_frames_ = std::clamp(slow_frames_ + (now_us - last_us_ > kSlowFrame_us ? 1 : -1), 0, 4);
     last_us_ = now_us;
     if (worker_) {
         if (auto ready = worker_->take()) take_model(std::move(*ready));
@@ -429,7 +420,7 @@ void DetailView::update(std::int64_t now_us) {
     }
     azimuth_ = std::remainder(azimuth_, 2 * std::numbers::pi);
     const ui::StageView now = view();
-    if (view_ && *view_ == now && !draft_) return;
+    if (view_ && *view_ == now) return;
     view_ = now;
     ++view_number_;
     covered_.clear();
@@ -439,24 +430,48 @@ void DetailView::update(std::int64_t now_us) {
 }
 
 void DetailView::draw_model(ui::Painter& painter) {
+    drew_whole_ = false;
     if (!is_open() || !view_ || model_ != Model::Drawn) return;
-    const bool moved = !drawn_view_ || !(*drawn_view_ == *view_);
-    drew_last_ = moved || draft_;
-    if (!drew_last_) return;
-    draft_ = moved && frames_are_seen_ && slow_frames_ >= kSlowEnough;
-    draw_stage(painter);
+    if (!drawn_view_ || !(*drawn_view_ == *view_)) {
+        drawn_view_ = view_;
+        at_rest_ = false;
+        draft_ = frames_are_seen_ && slow_frames_ >= kSlowEnough;
+        drew_whole_ = !draft_;
+        const ui::SizePx size = whole(layout_.stage);
+        if (draft_) {
+            stage_.draw_draft(*view_, size, kDraft);
+        } else {
+            stage_.draw(*view_, size);
+        }
+        show_stage(painter);
+    } else if (draft_) {
+        if (!at_rest_) begin_whole();
+        at_rest_ = true;
+        draft_ = !draw_piece(painter);
+    }
 }
 
-void DetailView::draw_stage(ui::Painter& painter) {
+void DetailView::begin_whole() {
     drawn_view_ = view_;
-    ui::StageView drawn = *view_;
-    ui::Rect stage = layout_.stage;
-    if (draft_) {
-        drawn.scale_px *= kDraft;
-        drawn.centre_px = drawn.centre_px * kDraft;
-        stage = {0, 0, stage.width * kDraft, stage.height * kDraft};
-    }
-    stage_.draw(drawn, whole(stage));
+    stage_.begin(*view_, whole(layout_.stage));
+    whole_us_ = 0;
+}
+
+/// True with the last one. A model that is slow to draw is a draft from its next turn on.
+bool DetailView::draw_piece(ui::Painter& painter) {
+    const auto start = std::chrono::steady_clock::now();
+    const bool ended = stage_.draw_piece(kPieceTriangles);
+    ui::finish();
+    const auto took = std::chrono::steady_clock::now() - start;
+    whole_us_ += std::chrono::duration_cast<std::chrono::microseconds>(took).count();
+    if (!ended) return false;
+    slow_frames_ = whole_us_ > kSlowFrame_us ? kSlowEnough : 0;
+    ++view_number_;
+    show_stage(painter);
+    return true;
+}
+
+void DetailView::show_stage(ui::Painter& painter) {
     if (stage_.changed().width > 0) {
         painter.picture_changed(kModel, stage_.changed());
     } else {

@@ -77,8 +77,9 @@ class DetailView {
     void ask_for_model();
     void take_model(PreparedDetail ready);
     void upload_model();
-    void draw_stage(ui::Painter& painter);
-    void draw_first(ui::Painter& painter);
+    void begin_whole();
+    bool draw_piece(ui::Painter& painter);
+    void show_stage(ui::Painter& painter);
     [[nodiscard]] ui::Rect still_rect(double opened) const;
     [[nodiscard]] double still_opacity(std::int64_t now_us) const;
     void lay_out(ui::Painter& painter);
@@ -131,9 +132,12 @@ class DetailView {
     std::optional<int> focus_;
     std::optional<ui::StageView> view_, drawn_view_;  // as it is, and as it was drawn last
     std::uint64_t view_number_ = 0;
-    // where drawing is slow, moving pictures are drafts and the last one is not
+    // where drawing is slow, moving pictures are drafts, and the one at rest is drawn whole in pieces, one a frame
     int slow_frames_ = 0;
-    bool drew_last_ = false, draft_ = false;
+    bool drew_whole_ = false;    // in one go, for the frame that is shown now
+    bool draft_ = false;         // is shown
+    bool at_rest_ = false;       // the pieces have begun
+    std::int64_t whole_us_ = 0;  // of the pieces so far
 };
 
 }  // namespace app

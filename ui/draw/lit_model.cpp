@@ -49,8 +49,8 @@ void LitModel::draw_shadows(const std::vector<float>& quads, SizePx size) {
     shadows_.draw_quads(static_cast<int>(quads.size()) / kQuadNumbers);
 }
 
-void LitModel::draw(const ModelLook& look) {
-    if (corner_count_ == 0) return;
+void LitModel::draw(const ModelLook& look, int first, int count) {
+    if (count <= 0) return;
     set_blend(Blend::Off);
     set_depth_test(true);
     (look.parts != nullptr ? *look.parts : no_parts_).bind(0);
@@ -65,7 +65,7 @@ void LitModel::draw(const ModelLook& look) {
     model_program_.set("clay", palette::kClay.r, palette::kClay.g, palette::kClay.b);
     model_program_.set("part_share", look.part_share);
     model_program_.set("own_share", look.own_colours ? 1.0F : 0.0F);
-    corners_.draw_triangles(corner_count_);
+    corners_.draw_triangles(3 * first, 3 * count);
     set_depth_test(false);
 }
 

@@ -28,7 +28,10 @@ class LitModel {
     /// Discs, each left, top, width, height (px of a picture of `size`), red, green, blue, strength.
     void draw_shadows(const std::vector<float>& quads, SizePx size);
     /// Over what is there. Cost: the model's triangles.
-    void draw(const ModelLook& look);
+    void draw(const ModelLook& look) { draw(look, 0, triangles()); }
+    /// Those triangles of it alone, over what is there. Cost: the triangles.
+    void draw(const ModelLook& look, int first, int count);
+    [[nodiscard]] int triangles() const { return corner_count_ / 3; }
 
   private:
     LitModel(Program model, Program soft);

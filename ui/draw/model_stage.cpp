@@ -68,8 +68,7 @@ core::Result<ModelStage> ModelStage::create() {
     return ModelStage(std::move(*model));
 }
 
-ModelStage::ModelStage(LitModel model)
-    : model_(std::move(model)), target_({1, 1}, PixelFormat::Colour, Target::Depth::Multisampled) {}
+ModelStage::ModelStage(LitModel model) : model_(std::move(model)) {}
 
 void ModelStage::set_model(const ModelGeometry& geometry, std::vector<GroundContact> contacts) {
     model_.set_corners(geometry.corners);
@@ -87,8 +86,10 @@ void ModelStage::set_model(const ModelGeometry& geometry, std::vector<GroundCont
 void ModelStage::clear_model() {
     contacts_.clear();
     model_.set_corners({});
-    empty_ = fresh_ = true;
-    target_ = Target({1, 1}, PixelFormat::Colour, Target::Depth::Multisampled);
+    empty_ = true;
+    whole_ = Canvas();
+    draft_ = Canvas();
+    shows_draft_ = false;
 }
 
 std::vector<float> ModelStage::shadows(const StageView& view) const {
@@ -116,7 +117,7 @@ std::vector<float> ModelStage::shadows(const StageView& view) const {
 }
 
 /// Whole pixels.
-Rect ModelStage::box_of(const StageView& view, const std::vector<float>& shadows) const {
+Rect ModelStage::box_of(const StageView& view, const std::vector<float>& shadows, SizePx size) const {
     double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
     for (int i = 0; i < 8 && !empty_; ++i) {
         const core::Point p = view.to_px(
@@ -132,7 +133,6 @@ Rect ModelStage::box_of(const StageView& view, const std::vector<float>& shadows
         top = std::min<double>(top, shadows[i + 1]);
         bottom = std::max<double>(bottom, shadows[i + 1] + shadows[i + 3]);
     }
-    const SizePx size = target_.size();
     left = std::clamp(std::floor(left) - 1, 0.0, size.width + 0.0);
     right = std::clamp(std::ceil(right) + 1, left, size.width + 0.0);
     top = std::clamp(std::floor(top) - 1, 0.0, size.height + 0.0);
@@ -140,13 +140,16 @@ Rect ModelStage::box_of(const StageView& view, const std::vector<float>& shadows
     return {left, top, right - left, bottom - top};
 }
 
-void ModelStage::make_picture(SizePx size) {
-    if (target_.size() == size) return;
-    target_ = Target(size, PixelFormat::Colour, Target::Depth::Multisampled);
-    target_.bind();
+void ModelStage::fit(Canvas& canvas, SizePx size) {
+    if (canvas.target.size() == size) return;
+    canvas = Canvas{Target(size, PixelFormat::Colour, Target::Depth::Multisampled), true, {}};
+    canvas.target.bind();
     clear(0, 0, 0, 0, true);
-    target_.resolve();
-    fresh_ = true;
+    canvas.target.resolve();
+}
+
+void ModelStage::make_picture(SizePx size) {
+    fit(whole_, size);
 }
 
 void ModelStage::warm_up() {
@@ -165,31 +168,74 @@ void ModelStage::warm_up() {
 }
 
 void ModelStage::draw(const StageView& view, SizePx size) {
-    make_picture(size);
-    target_.bind();
+    begin(view, size);
+    (void)draw_piece(triangles());
+}
+
+void ModelStage::draw_draft(const StageView& view, SizePx size, double share) {
+    StageView smaller = view;
+    smaller.scale_px *= share;
+    smaller.centre_px = view.centre_px * share;
+    const auto scaled = [&](int px) { return std::max(1, static_cast<int>(px * share)); };
+    fit(draft_, {scaled(size.width), scaled(size.height)});
+    begin(draft_, smaller);
+    (void)draw_piece(draft_, triangles());
+}
+
+void ModelStage::begin(const StageView& view, SizePx size) {
+    fit(whole_, size);
+    begin(whole_, view);
+}
+
+bool ModelStage::draw_piece(int triangles) {
+    return draw_piece(whole_, triangles);
+}
+
+void ModelStage::begin(Canvas& canvas, const StageView& view) {
+    const SizePx size = canvas.target.size();
     const std::vector<float> shadow = shadows(view);
-    const Rect box = box_of(view, shadow);
+    view_ = view;
+    next_triangle_ = 0;
+    box_ = box_of(view, shadow, size);
     const Rect whole{0, 0, size.width + 0.0, size.height + 0.0};
-    const Rect part = fresh_ ? whole : (drawn_.width > 0 ? around(drawn_, box) : box);
-    changed_ = fresh_ ? Rect{} : part;
-    fresh_ = false;
-    drawn_ = box;
-    if (part.width <= 0 || part.height <= 0) return;
-    const SizePx part_size{static_cast<int>(part.width), static_cast<int>(part.height)};
-    set_scissor(static_cast<int>(part.x), static_cast<int>(part.y), part_size);
+    part_ = canvas.fresh ? whole : (canvas.drawn.width > 0 ? around(canvas.drawn, box_) : box_);
+    canvas.drawn = part_;  // a picture that is not drawn to its end may have left something anywhere in it
+    if (part_.width <= 0 || part_.height <= 0) return;
+    canvas.target.bind();
+    set_scissor(static_cast<int>(part_.x), static_cast<int>(part_.y),
+                {static_cast<int>(part_.width), static_cast<int>(part_.height)});
     clear(0, 0, 0, 0, true);
     model_.draw_shadows(shadow, size);
-    ModelLook look;
-    look.camera = view.camera;
-    look.sx = (view.mirrored ? -2.0 : 2.0) * view.scale_px / size.width;
-    look.sy = -2.0 * view.scale_px / size.height;
-    look.ox = view.centre_px.x * 2 / size.width - 1;
-    look.oy = view.centre_px.y * 2 / size.height - 1;
-    look.mirrored = view.mirrored;
-    look.own_colours = view.own_colours;
-    model_.draw(look);
-    target_.resolve(static_cast<int>(part.x), static_cast<int>(part.y), part_size);
     set_scissor(0, 0, {});
+}
+
+bool ModelStage::draw_piece(Canvas& canvas, int triangles) {
+    const SizePx size = canvas.target.size(), part{static_cast<int>(part_.width), static_cast<int>(part_.height)};
+    const int count = std::min(triangles, model_.triangles() - next_triangle_);
+    if (part.width > 0 && part.height > 0) {
+        ModelLook look;
+        look.camera = view_.camera;
+        look.sx = (view_.mirrored ? -2.0 : 2.0) * view_.scale_px / size.width;
+        look.sy = -2.0 * view_.scale_px / size.height;
+        look.ox = view_.centre_px.x * 2 / size.width - 1;
+        look.oy = view_.centre_px.y * 2 / size.height - 1;
+        look.mirrored = view_.mirrored;
+        look.own_colours = view_.own_colours;
+        canvas.target.bind();
+        set_scissor(static_cast<int>(part_.x), static_cast<int>(part_.y), part);
+        model_.draw(look, next_triangle_, count);
+        set_scissor(0, 0, {});
+    }
+    next_triangle_ += std::max(count, 0);
+    if (next_triangle_ < model_.triangles()) return false;
+    if (part.width > 0 && part.height > 0)
+        canvas.target.resolve(static_cast<int>(part_.x), static_cast<int>(part_.y), part);
+    const bool another = canvas.fresh || shows_draft_ != (&canvas == &draft_);
+    changed_ = another ? Rect{} : part_;
+    shows_draft_ = &canvas == &draft_;
+    canvas.fresh = false;
+    canvas.drawn = box_;
+    return true;
 }
 
 }  // namespace ui

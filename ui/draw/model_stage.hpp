@@ -54,22 +54,43 @@ class ModelStage {
     /// The model with its shadow on a transparent ground, four samples a pixel. Cost: the model's triangles, and the
     /// pixels of its box now and before.
     void draw(const StageView& view, SizePx size);
+    /// The same with fewer pixels, into a picture of its own: `share` of `size` each way, 0 < share < 1.
+    void draw_draft(const StageView& view, SizePx size, double share);
+    /// The same as draw, in pieces: after begin, as many calls of draw_piece as it takes until one is true. Until then
+    /// texture() is what it was. Cost of a piece: its triangles; of the last one also the pixels.
+    void begin(const StageView& view, SizePx size);
+    [[nodiscard]] bool draw_piece(int triangles);
+    [[nodiscard]] int triangles() const { return model_.triangles(); }
     /// The pixels that the last draw may have changed; without size when the texture is another.
     [[nodiscard]] Rect changed() const { return changed_; }
     /// Of the last draw.
-    [[nodiscard]] const Texture& texture() const { return target_.texture(); }
-    [[nodiscard]] core::RgbaImage read_back() const { return target_.read_back(); }
+    [[nodiscard]] const Texture& texture() const { return shown().target.texture(); }
+    [[nodiscard]] core::RgbaImage read_back() const { return shown().target.read_back(); }
 
   private:
+    struct Canvas {
+        Target target{{1, 1}, PixelFormat::Colour, Target::Depth::Multisampled};
+        bool fresh = true;  ///< nothing was drawn yet
+        Rect drawn;         ///< px: beyond it all is transparent
+    };
     explicit ModelStage(LitModel model);
     [[nodiscard]] std::vector<float> shadows(const StageView& view) const;
-    [[nodiscard]] Rect box_of(const StageView& view, const std::vector<float>& shadows) const;
+    [[nodiscard]] Rect box_of(const StageView& view, const std::vector<float>& shadows, SizePx size) const;
+    [[nodiscard]] const Canvas& shown() const { return shows_draft_ ? draft_ : whole_; }
+    static void fit(Canvas& canvas, SizePx size);
+    void begin(Canvas& canvas, const StageView& view);
+    bool draw_piece(Canvas& canvas, int triangles);
     LitModel model_;
-    Target target_;
+    Canvas whole_, draft_;
+    bool shows_draft_ = false;
     std::vector<GroundContact> contacts_;
     core::Vec3 low_, high_;  // box of the geometry
-    bool empty_ = true, fresh_ = true;
-    Rect drawn_, changed_;  // px of the texture: what is not transparent, and see changed()
+    bool empty_ = true;
+    Rect changed_;
+    // the picture that is being drawn
+    StageView view_;
+    Rect box_, part_;  // px: the model's, and what is drawn anew
+    int next_triangle_ = 0;
 };
 
 }  // namespace ui
