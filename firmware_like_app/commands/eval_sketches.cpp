@@ -42,7 +42,7 @@ class SketchTest {
         for (const CollectionModel& m : collection.models()) ++class_size_[m.record.class_name];
     }
 
-    /// Drawings of these classes can find nothing.
+    /// Drawings of these classes count as finding nothing.
     [[nodiscard]] std::set<std::string> classes_without_models() const {
         std::set<std::string> lacking;
         for (const std::string& name : queries_.classes) {
@@ -187,9 +187,9 @@ void run_eval_sketches(const EvalOptions& options, CommandState& state) {
     const DescribedSketches queries = describe_sketches(list->files, options.jobs);
     if (!queries.failures.empty()) state.exit_code = 1;
     const SketchTest test(queries, *collection, options.jobs);
-    for (const std::string& name : test.classes_without_models()) {
-        std::fprintf(stderr, "croquis: %s: no model is of the class \"%s\", so its drawings count as finding nothing\n",
-                     options.database.c_str(), name.c_str());
+    if (const std::set<std::string> lacking = test.classes_without_models(); !lacking.empty()) {
+        std::fprintf(stderr, "croquis: %s: drawings of %zu classes, \"%s\" the first, can find no model of theirs\n",
+                     options.database.c_str(), lacking.size(), lacking.begin()->c_str());
     }
     const Report report{queries, *collection, test.run(), test.times_ms()};
     if (options.json) return print_object(report);

@@ -161,9 +161,12 @@ Check check_permissions(const Config& config, const std::string& config_file) {
     look("/dev/dri/renderD128", R_OK | W_OK, "used", "add the user to the groups video and render");
     look(config_file, R_OK, "read", kRead);
     look(folder_of(config_file), W_OK, "written", kWrite);
-    look(config.collection.database, R_OK | W_OK, "read and written", kWrite);
-    look(folder_of(config.collection.database), W_OK, "written", kWrite);
-    look(config.collection.models, R_OK | X_OK, "read", kRead);
+    look(config.collection.database, R_OK, "read", kRead);
+    if (!config.collection.models.empty()) {  // what is new there is written into the index
+        look(config.collection.database, W_OK, "written", kWrite);
+        look(folder_of(config.collection.database), W_OK, "written", kWrite);
+        look(config.collection.models, R_OK | X_OK, "read", kRead);
+    }
     look(config.garment.designs, R_OK | W_OK, "read and written", kWrite);
     look(folder_of(config.garment.designs), W_OK, "written", kWrite);
     look(config.garment.export_to, W_OK, "written", kWrite);

@@ -131,7 +131,7 @@ cp "$latin" "$folder/table.ndjson"
 printf 'table.ndjson\ttable\ntable.ndjson:0\tchair\n' >"$folder/drawings.list"
 expect 0 "$croquis" eval sketches "$folder/drawings.list" --db "$db" --json
 for row in parts fused reranked; do says out "\"$row\":{\"NN\":"; done
-says err 'a.db: no model is of the class "chair"'
+says err 'a.db: drawings of 1 classes, "chair" the first, can find no model'
 lines err 1
 printf 'table.ndjson\ttable\ntable.ndjson:0\ttable\n' >"$folder/drawings.list"
 expect 0 "$croquis" eval shapes "$folder/drawings.list" --json
