@@ -23,6 +23,10 @@ int main(int argc, char** argv) try {
     app::add_mannequin_command(croquis, state);
     app::add_garment_commands(croquis, state);
     const int wrong_call = line.run(argc, argv);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        std::fprintf(stderr, "croquis: standard output cannot be written to; see that there is room where it goes\n");
+        return 1;
+    }
     return wrong_call != 0 ? wrong_call : state.exit_code;
 } catch (const std::exception& error) {  // out of memory and the like: no command lets its own errors out
     std::fprintf(stderr, "croquis: %s\n", error.what());

@@ -3,6 +3,7 @@
 #include <SDL.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -195,6 +196,13 @@ class SdlWindow final : public Window {
     std::optional<std::pair<double, double>> together_;  // the middle of two fingers
 };
 
+/// SDL's drivers that somebody can see, best first: left to itself it ends by drawing into memory, unseen. Wayland only
+/// where it can be, for its library complains otherwise.
+const char* real_screens() {
+    const char* const folder = std::getenv("XDG_RUNTIME_DIR");
+    return folder != nullptr && *folder != 0 ? "x11,wayland,kmsdrm" : "x11,kmsdrm";
+}
+
 core::Unexpected no_display() {
     return core::unexpected(core::ErrorCode::NoDisplay, std::string("no screen can be opened (") + SDL_GetError() +
                                                             "); start it on a desktop or a console with graphics, or "
@@ -212,6 +220,7 @@ core::Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options)
     SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
     SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+    SDL_SetHint(SDL_HINT_VIDEODRIVER, real_screens());  // what the environment asks for wins
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return no_display();
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
