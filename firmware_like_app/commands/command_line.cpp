@@ -1,9 +1,34 @@
 #include "firmware_like_app/commands/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
 #include <utility>
 
 namespace app {
+namespace {
+
+/// Holds a number to a range, with words for the fault and for --help. CLI's own ranges take "nan", and for numbers
+/// above 0 their words name the largest double.
+template <typename Good>
+void must_be(CLI::Option& option, const std::string& words, const Good& good) {
+    option.check(
+        [words, good](const std::string& text) {
+            double value = 0.0;
+            const bool fits = CLI::detail::lexical_cast(text, value) && good(value);
+            return fits ? std::string() : text + " is not a number " + words;
+        },
+        words);
+}
+
+/// A word in the place of a command that none has.
+std::string unknown_command(const CLI::App& app) {
+    const std::vector<std::string> left = app.remaining(true);
+    return left.empty() ? "" : left.front();
+}
+
+}  // namespace
 
 CommandOption& CommandOption::required() {
     option_->required();
@@ -11,17 +36,18 @@ CommandOption& CommandOption::required() {
 }
 
 CommandOption& CommandOption::positive() {
-    option_->check(CLI::PositiveNumber);
+    must_be(*option_, "above 0", [](double value) { return value > 0.0 && std::isfinite(value); });
     return *this;
 }
 
 CommandOption& CommandOption::range(int least, int most) {
-    option_->check(CLI::Range(least, most));
-    return *this;
+    return range(static_cast<double>(least), static_cast<double>(most));
 }
 
 CommandOption& CommandOption::range(double least, double most) {
-    option_->check(CLI::Range(least, most));
+    std::ostringstream words;
+    words << "from " << least << " to " << most;
+    must_be(*option_, words.str(), [least, most](double value) { return value >= least && value <= most; });
     return *this;
 }
 
@@ -106,6 +132,12 @@ Command CommandLine::root() {
 int CommandLine::run(int argc, char** argv) try {
     app_->parse(argc, argv);
     return 0;
+} catch (const CLI::RequiredError& error) {
+    const std::string word = unknown_command(*app_);
+    if (word.empty()) return app_->exit(error) == 0 ? 0 : 2;
+    std::fprintf(stderr, "croquis: there is no command or option \"%s\" here; --help shows those there are\n",
+                 word.c_str());
+    return 2;
 } catch (const CLI::ParseError& error) {
     return app_->exit(error) == 0 ? 0 : 2;
 }

@@ -150,7 +150,7 @@ void add_query_command(Command cli, CommandState& state) {
     command.option("SKETCH", options->sketch, "picture, SVG, InkML, Quick-Draw line or stroke list").required();
     command.option("--db", options->database, "the index").required();
     command.option("--top", options->top, "results to give").positive();
-    command.option("--jobs", options->jobs, "threads").positive();
+    command.option("--jobs", options->jobs, "threads").range(1, kMostJobs);
     command.flag("--rerank", options->rerank,
                  "rank along the likeness of the models among themselves too; the first stays the first");
     command.flag("--json", options->json, "one JSON object on standard output");
