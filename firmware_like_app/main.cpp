@@ -2,10 +2,13 @@
 
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "firmware_like_app/commands/commands.hpp"
+#include "firmware_like_app/commands/standard_streams.hpp"
 
 int main(int argc, char** argv) try {
+    app::open_closed_streams();
     app::CommandLine line("croquis", "Croquis: draw it, find it.", CROQUIS_VERSION);
     app::Command croquis = line.root();
     app::CommandState state;
@@ -23,12 +26,16 @@ int main(int argc, char** argv) try {
     app::add_mannequin_command(croquis, state);
     app::add_garment_commands(croquis, state);
     const int wrong_call = line.run(argc, argv);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-        std::fprintf(stderr, "croquis: standard output cannot be written to; see that there is room where it goes\n");
-        return 1;
+    int exit_code = wrong_call != 0 ? wrong_call : state.exit_code;
+    if (const auto unwritten = app::unwritten_output()) {
+        std::fprintf(stderr, "croquis: %s\n", unwritten->c_str());
+        if (exit_code == 0) exit_code = 1;
     }
-    return wrong_call != 0 ? wrong_call : state.exit_code;
-} catch (const std::exception& error) {  // out of memory and the like: no command lets its own errors out
+    return exit_code;
+} catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "croquis: there is not enough memory; close other programs and try again\n");
+    return 1;
+} catch (const std::exception& error) {  // no command lets its own errors out
     std::fprintf(stderr, "croquis: %s\n", error.what());
     return 1;
 }

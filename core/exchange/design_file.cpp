@@ -18,6 +18,7 @@ using ToolKind = DrawingTool::Kind;
 
 constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
 constexpr auto kReplace = Json::error_handler_t::replace;  // names may come from anywhere: what is no UTF-8
+constexpr double kFarthest_cm = 2000.0;  // of a drawn point: whatever lies beyond was never drawn on a figure
 constexpr const char* kFormat = "croquis-garment";
 
 constexpr std::array<std::pair<Kind, const char*>, 26> kSteps{
@@ -125,6 +126,8 @@ SketchStroke stroke_from(const Json& step) {
         for (const Json& p : json["points"]) {
             if (!p.is_array() || p.size() != 2) throw Fault("a point of the stroke is not [right, up]");
             part.points.push_back({number(p[0], "a point"), number(p[1], "a point")});
+            if (std::hypot(part.points.back().x, part.points.back().y) > kFarthest_cm)
+                throw Fault("a point lies more than 20 m from the figure");
         }
         stroke.push_back(std::move(part));
     }
@@ -391,7 +394,9 @@ Result<Design> parse_design(std::string_view text_of_file) {
     if (!document.is_object() || !document.contains("format") || document["format"] != kFormat)
         return bad(std::string("its \"format\" is not \"") + kFormat + "\"");
     if (!document.contains("version") || !document["version"].is_number_integer()) return bad("it has no \"version\"");
-    if (document["version"].get<int>() > kDesignVersion)
+    const auto version = document["version"].get<std::int64_t>();
+    if (version < 1) return bad("its \"version\" is below 1");
+    if (version > kDesignVersion)
         return unexpected(ErrorCode::NewerVersion,
                           "The design was saved by a newer Croquis: update this one, or save the design as version " +
                               std::to_string(kDesignVersion) + ".");

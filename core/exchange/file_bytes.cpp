@@ -1,5 +1,8 @@
 #include "core/exchange/file_bytes.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -14,7 +17,7 @@ Unexpected unreadable(const std::string& path, const std::string& why) {
 
 }  // namespace
 
-Result<std::string> read_file_bytes(const std::string& path, std::size_t max_bytes) {
+Result<void> check_ordinary_file(const std::string& path) {
     std::error_code failure;
     const std::filesystem::file_status status = std::filesystem::status(path, failure);
     if (status.type() == std::filesystem::file_type::not_found) {
@@ -24,7 +27,17 @@ Result<std::string> read_file_bytes(const std::string& path, std::size_t max_byt
         return unreadable(path,
                           "the file cannot be reached (" + failure.message() + "); check the folder's permissions");
     if (std::filesystem::is_directory(status)) return unreadable(path, "this is a folder; name a file in it");
+    if (!std::filesystem::is_regular_file(status)) {
+        return unreadable(path, "this is a device or a pipe; name an ordinary file");
+    }
+    if (faccessat(AT_FDCWD, path.c_str(), R_OK, AT_EACCESS) != 0) {
+        return unreadable(path, "the file cannot be opened; check its permissions");
+    }
+    return {};
+}
 
+Result<std::string> read_file_bytes(const std::string& path, std::size_t max_bytes) {
+    if (Result<void> ordinary = check_ordinary_file(path); !ordinary) return unexpected(ordinary.error());
     std::ifstream in(path, std::ios::binary);
     if (!in) return unreadable(path, "the file cannot be opened; check its permissions");
     std::string bytes;

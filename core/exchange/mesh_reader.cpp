@@ -27,6 +27,7 @@ namespace core {
 namespace {
 
 constexpr int kDeepestNode = 1000;
+constexpr unsigned kMostCorners = 20'000;  // of one face: cutting it into triangles takes their square in time
 constexpr std::size_t kHeadBytes = 1 << 20;
 
 Unexpected too_many_triangles() {
@@ -121,13 +122,17 @@ class SceneReader {
     MeshWelder welder_;
 };
 
-/// That no face points outside its mesh: assimp's later steps trust this.
+/// That no face points outside its mesh, which assimp's later steps trust, and none has corners without end.
 Result<void> check_indices(const aiScene& scene) {
     std::size_t corners = 0;
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
         const aiMesh& mesh = *scene.mMeshes[m];
         for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
             const aiFace& face = mesh.mFaces[f];
+            if (face.mNumIndices > kMostCorners) {
+                return unexpected(ErrorCode::BadMesh, "a face has more than " + std::to_string(kMostCorners) +
+                                                          " corners; cut it into triangles first");
+            }
             corners += face.mNumIndices;
             for (unsigned k = 0; k < face.mNumIndices; ++k) {
                 if (mesh.mVertices != nullptr && face.mIndices[k] < mesh.mNumVertices) continue;

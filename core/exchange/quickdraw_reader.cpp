@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/exchange/drawing_builder.hpp"
+#include "core/exchange/file_bytes.hpp"
 
 namespace core {
 namespace {
@@ -104,15 +105,8 @@ Result<Drawing> read_quickdraw(const std::string& path_spec) {
     std::error_code failure;
     const LinePath path =
         std::filesystem::exists(path_spec, failure) ? LinePath{path_spec, 0} : split_line_path(path_spec);
-    const std::filesystem::file_status status = std::filesystem::status(path.file, failure);
-    if (!std::filesystem::exists(status)) {
-        return unexpected(ErrorCode::FileMissing, "there is no such file; check the name", path.file);
-    }
+    if (Result<void> ordinary = check_ordinary_file(path.file); !ordinary) return unexpected(ordinary.error());
     std::ifstream in(path.file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(status)) {
-        return unexpected(ErrorCode::FileUnreadable,
-                          "the file cannot be read; check that it is a file and its permissions", path.file);
-    }
     const Result<std::string> line = line_of(in, path);
     if (!line) return unexpected(line.error());
     Result<Drawing> drawing = parse_quickdraw_line(*line);

@@ -85,13 +85,7 @@ std::string start_of(const std::string& path) {
 Result<Sketch> read_sketch(const std::string& path_spec) {
     std::error_code failure;
     const std::string path = std::filesystem::exists(path_spec, failure) ? path_spec : split_line_path(path_spec).file;
-    const std::filesystem::file_status status = std::filesystem::status(path, failure);
-    if (!std::filesystem::exists(status)) {
-        return unexpected(ErrorCode::FileMissing, "there is no such file; check the name", path);
-    }
-    if (std::filesystem::is_directory(status)) {
-        return unexpected(ErrorCode::FileUnreadable, "this is a folder; name a file in it", path);
-    }
+    if (Result<void> ordinary = check_ordinary_file(path); !ordinary) return unexpected(ordinary.error());
     Kind kind = kind_by_content(start_of(path));
     if (kind == Kind::Unknown) kind = kind_by_extension(path);
     switch (kind) {

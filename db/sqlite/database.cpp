@@ -88,6 +88,10 @@ core::Result<Database> Database::open(const fs::path& path, OpenMode mode, const
                                         database.error().code == core::ErrorCode::WriteFailed);
     if (!shut_out || mode != OpenMode::ReadOnly) return database;
     if (is_complete_by_itself(path)) return open_as(immutable_uri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    // What a program that was killed left undone cannot be undone for reading only; where we may write, once is enough.
+    if (open_as(fs::absolute(path).string(), flags_for(OpenMode::ReadWrite))) {
+        return open_as(fs::absolute(path).string(), flags_for(mode));
+    }
     return core::unexpected(core::ErrorCode::WriteFailed,
                             "the last program that wrote to it did not end in order, and its folder is read-only; open "
                             "it once with the folder writable",

@@ -24,7 +24,7 @@ enum class OpenMode {
 struct DatabaseWords {
     const char* thing = "index";  ///< "it is no Croquis …"
     const char* make = "make the index with `croquis index build`";
-    const char* mend = "build the index again or restore a copy";
+    const char* mend = "restore a copy, or move it away and build the index again";
     const char* renew = "build a new index";
 };
 

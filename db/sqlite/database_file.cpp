@@ -98,6 +98,10 @@ core::Result<FileState> examine_file(const fs::path& path, OpenMode mode, const 
     if (fs::is_directory(status)) {
         return core::unexpected(ErrorCode::FileUnreadable, "it is a folder; name a file in it", path.string());
     }
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        return core::unexpected(ErrorCode::FileUnreadable, "it is a device or a pipe; name an ordinary file",
+                                path.string());
+    }
     if (!fs::is_regular_file(status) || !may(path, R_OK)) {
         return core::unexpected(ErrorCode::FileUnreadable, "it cannot be read; check its permissions", path.string());
     }

@@ -267,6 +267,11 @@ core::Result<IndexBuildReport> build_index(const IndexBuildOptions& options, con
     if (!report) return report;
     const core::Result<void> measured = measure_likeness(options, *index, stop, progress, *report);
     if (!measured) return core::unexpected(measured.error());
+    std::error_code unknown;
+    if (!fs::exists(options.database, unknown)) {
+        return core::unexpected(core::ErrorCode::WriteFailed,
+                                "the index was moved or removed while it was built; build it again", options.database);
+    }
     report->ms = watch.ms();
     return report;
 }

@@ -11,7 +11,7 @@ void add_eval_commands(Command cli, CommandState& state) {
     auto options = std::make_shared<EvalOptions>();
     const auto add = [&](const char* name, const char* what, void (*run)(const EvalOptions&, CommandState&)) {
         Command command = eval.command(name, what);
-        command.option("--jobs", options->jobs, "threads").positive();
+        command.option("--jobs", options->jobs, "threads").range(1, kMostJobs);
         command.flag("--json", options->json, "one JSON object on standard output");
         command.runs([options, &state, run] { run(*options, state); });
         return command;

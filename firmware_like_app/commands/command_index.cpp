@@ -115,6 +115,11 @@ void run_build(const IndexOptions& options, CommandState& state) {
         const std::string folder = options.files.empty() ? options.paths.front() : options.files;
         const core::Result<core::LabelledList> list = core::read_list_file(options.classes, folder);
         if (!list) return fail(state, list.error());
+        if (list->files.empty()) {
+            return fail(state,
+                        {core::ErrorCode::FileMissing,
+                         "none of the files that it names is there; check the list and --files", options.classes});
+        }
         build.classes = list->files;
     }
     const core::Result<IndexBuildReport> report = build_with_progress(build);
@@ -240,7 +245,7 @@ void add_index_commands(Command cli, CommandState& state) {
     build.option("PATH", options->paths, "model files, and folders to search").required();
     build.option("--classes", options->classes, "path<TAB>class list, or a Princeton .cla file");
     build.option("--files", options->files, "folder of the files that a .cla numbers; default: the first PATH");
-    build.option("--jobs", options->jobs, "threads").positive();
+    build.option("--jobs", options->jobs, "threads").range(1, kMostJobs);
     build.flag("--graph", options->graph,
                "also find each model's nearest others, for query --rerank; later builds keep them up to date");
     add("list", "All models", run_list);

@@ -155,7 +155,7 @@ void add_query_command(Command cli, CommandState& state) {
         .required();
     command.option("--db", options->database, "the index").required();
     command.option("--top", options->top, "results to give").positive().show_default();
-    command.option("--jobs", options->jobs, "threads").positive();
+    command.option("--jobs", options->jobs, "threads").range(1, kMostJobs);
     command.flag("--rerank", options->rerank,
                  "rank along the likeness of the models among themselves too; the first stays the first");
     command.flag("--json", options->json, "one JSON object on standard output");

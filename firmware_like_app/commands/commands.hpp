@@ -10,6 +10,9 @@
 
 namespace app {
 
+/// Of --jobs: every thread takes memory of its own.
+inline constexpr int kMostJobs = 256;
+
 struct CommandState {
     int exit_code = 0;
 };

@@ -137,7 +137,8 @@ void run_eval_shapes(const EvalOptions& options, CommandState& state) {
     const ReadingDistances distances = all_distances(described.shapes, order, options.jobs);
     const Square reranked = core::reranked_distances(distances.fused, n, options.jobs);
     const double ms_per_query = watch.ms() / static_cast<double>(n);
-    const int ranks = options.ranks > 0 ? options.ranks : largest_class(classes) - 1;
+    const int others = static_cast<int>(n) - 1;
+    const int ranks = std::min(others, options.ranks > 0 ? options.ranks : largest_class(classes) - 1);
     print_tests({{"parts", core::shape_test(distances.parts, classes, ranks)},
                  {"fused", core::shape_test(distances.fused, classes, ranks)},
                  {"reranked", core::shape_test(reranked, classes, ranks)}},

@@ -12,12 +12,15 @@
 #include <sstream>
 #include <utility>
 
+#include "core/exchange/file_bytes.hpp"
 #include "firmware_like_app/config/options.hpp"
 
 namespace app {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMostConfigBytes = std::size_t{4} << 20;
 
 core::Unexpected bad(const std::string& where, const toml::source_region& at, const std::string& what) {
     const std::string line = at.begin.line > 0 ? "line " + std::to_string(at.begin.line) + ": " : "";
@@ -186,33 +189,29 @@ std::string value_text(const Option& option, Config config) {
 }
 
 core::Result<std::string> text_of(const std::string& path) {
-    std::error_code error;
-    if (!fs::exists(path, error)) {
+    core::Result<std::string> text = core::read_file_bytes(path, kMostConfigBytes);
+    if (!text && text.error().code == core::ErrorCode::FileMissing) {
         return core::unexpected(core::ErrorCode::FileMissing,
                                 "there is no such file; \"croquis config\" prints one to begin with", path);
     }
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in || fs::is_directory(path, error)) {
-        return core::unexpected(core::ErrorCode::FileUnreadable, "it cannot be read", path);
-    }
-    return text.str();
+    return text;
 }
 
 /// The whole file beside the old one, then in its place: a power cut leaves one of the two.
 core::Result<void> replace_file(const std::string& path, const std::string& text) {
     const std::string beside = path + ".new";
-    {
-        std::ofstream out(beside, std::ios::binary | std::ios::trunc);
-        out << text;
-        out.flush();
-        if (!out) return core::unexpected(core::ErrorCode::WriteFailed, "it cannot be written", beside);
-    }
+    const auto failed = [&](const std::string& why) {
+        std::error_code ignored;
+        fs::remove(beside, ignored);
+        return core::unexpected(core::ErrorCode::WriteFailed, why, path);
+    };
+    std::ofstream out(beside, std::ios::binary | std::ios::trunc);
+    out << text;
+    out.close();
+    if (!out) return failed("it cannot be written; check that its folder may be written to and has room");
     std::error_code error;
     fs::rename(beside, path, error);
-    if (error)
-        return core::unexpected(core::ErrorCode::WriteFailed, "it cannot be replaced (" + error.message() + ")", path);
+    if (error) return failed("it cannot be replaced (" + error.message() + "); check the permissions of its folder");
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <utility>
 
+#include "core/exchange/file_bytes.hpp"
 #include "core/exchange/sketch_reader.hpp"
 #include "input/formats/decode_capture.hpp"
 #include "input/pipeline/stroke_builder.hpp"
@@ -45,6 +46,12 @@ core::Result<AnyInk> from_drawing(const std::string& path_spec) {
 }  // namespace
 
 core::Result<AnyInk> read_any_ink(const std::string& path_spec) {
+    std::error_code missing;
+    if (std::filesystem::exists(path_spec, missing)) {
+        if (core::Result<void> ordinary = core::check_ordinary_file(path_spec); !ordinary) {
+            return core::unexpected(ordinary.error());
+        }
+    }
     std::ifstream in(path_spec, std::ios::binary);
     std::string start(64, '\0');
     in.read(start.data(), static_cast<std::streamsize>(start.size()));

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/exchange/file_bytes.hpp"
 #include "ui/gl/embedded.hpp"
 
 namespace ui {
@@ -14,7 +13,7 @@ namespace ui {
 core::Result<Strings> Strings::parse(std::string_view json, std::string file) {
     const nlohmann::json object = nlohmann::json::parse(json, nullptr, false);
     if (!object.is_object()) {
-        return core::unexpected(core::ErrorCode::BadFormat, "a language file must be one JSON object", std::move(file));
+        return core::unexpected(core::ErrorCode::BadFormat, "a language file must be one JSON object; take ui/screens/strings/en.json as the pattern", std::move(file));
     }
     Strings strings;
     for (const auto& [key, value] : object.items()) {
@@ -38,6 +37,8 @@ core::Result<Strings> Strings::parse(std::string_view json, std::string file) {
 
 namespace {
 
+constexpr std::size_t kMostStringsBytes = std::size_t{4} << 20;
+
 /// The JSON files of a folder with their contents, by name.
 core::Result<std::map<std::string, std::string>> files_of(const std::string& folder) {
     std::map<std::string, std::string> files;
@@ -45,8 +46,9 @@ core::Result<std::map<std::string, std::string>> files_of(const std::string& fol
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
         if (entry.path().extension() != ".json") continue;
-        std::ifstream in(entry.path(), std::ios::binary);
-        files[entry.path().string()] = {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+        core::Result<std::string> text = core::read_file_bytes(entry.path().string(), kMostStringsBytes);
+        if (!text) return core::unexpected(text.error());
+        files[entry.path().string()] = std::move(*text);
     }
     if (!error) return files;
     return core::unexpected(core::ErrorCode::FileMissing, "the folder of language files cannot be read", folder);

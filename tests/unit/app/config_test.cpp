@@ -1,5 +1,7 @@
 #include "firmware_like_app/config/config.hpp"
 
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -95,6 +97,18 @@ TEST_CASE("a file that is not there or is a folder is named", "[config]") {
     CHECK(app::read_config("/").error().code == core::ErrorCode::FileUnreadable);
 }
 
+TEST_CASE("a pipe is not waited for, nor a device read without end", "[config]") {
+    const support::TemporaryFolder folder;
+    const std::string pipe = folder.path("pipe.toml");
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    for (const std::string& path : {pipe, std::string("/dev/zero")}) {
+        const auto config = app::read_config(path);
+        REQUIRE_FALSE(config);
+        CHECK(config.error().code == core::ErrorCode::FileUnreadable);
+        CHECK(config.error().where == path);
+    }
+}
+
 TEST_CASE("the command line sets what the file sets, without quotes", "[config]") {
     app::Config config;
     REQUIRE(app::set_option(config, "visitors.language=fr"));
@@ -133,4 +147,9 @@ TEST_CASE("saving changes its own lines only, and makes the file where there is 
     CHECK_FALSE(app::save_options(fresh, {{"idle.ask_s", "1"}}));
     CHECK(app::read_config(fresh)->idle.ask_s == 60);
     CHECK_FALSE(app::save_options("/nowhere/at/all.toml", {{"visitors.hand", "left"}}));
+
+    const std::string blocked = folder.path("blocked.toml");
+    std::filesystem::create_directories(blocked + "/inside");
+    CHECK_FALSE(app::save_options(blocked, {{"visitors.hand", "left"}}));
+    CHECK_FALSE(std::filesystem::exists(blocked + ".new"));
 }

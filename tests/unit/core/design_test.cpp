@@ -160,6 +160,10 @@ TEST_CASE("a design cut short or wrong is refused in one sentence", "[design_fil
         return design ? std::string() : design.error().message;
     };
     CHECK(with(version_text(core::kDesignVersion), version_text(99)).find("newer") != std::string::npos);
+    for (const int version : {0, -1})
+        CHECK(with(version_text(core::kDesignVersion), version_text(version)).find("below 1") != std::string::npos);
+    CHECK(with(version_text(core::kDesignVersion), "\"version\": 4294967297").find("newer") != std::string::npos);
+    CHECK(with("\"points\":[[", "\"points\":[[1e5,0],[").find("20 m") != std::string::npos);
     CHECK(with("croquis-garment", "other").find("format") != std::string::npos);
     CHECK(with("\"size\": \"38\"", "\"size\": \"99\"").find("36 to 44") != std::string::npos);
     CHECK(with("\"do\":\"line\"", "\"do\":\"fly\"").find("step 1: there is no step \"fly\"") != std::string::npos);

@@ -153,7 +153,10 @@ TEST_CASE("a file that cannot be used is refused in one sentence that names it",
     const std::string zip = std::string("PK\x03\x04\x14\x00\x00\x00\x08\x00", 10) + std::string(200, 'z');
     std::string long_ply = kPly;
     long_ply.replace(long_ply.find("vertex 3"), 8, "vertex 3000000000");
+    std::string endless = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
+    for (int i = 0; i < 7000; ++i) endless += " 1 2 3";
     const std::vector<Case> cases{
+        {"endless.obj", endless + "\n", ErrorCode::BadMesh, "20000 corners"},
         {"nothing.obj", "", ErrorCode::BadFormat, "empty"},
         {"nothing.off", "", ErrorCode::BadFormat, "empty"},
         {"zip.obj", zip, ErrorCode::UnknownFormat, "archive"},
