@@ -343,11 +343,7 @@ void GarmentMode::update(std::int64_t now_us) {
     if (cleared_ && now_us - cleared_us_ > kClearedOffer_us) cleared_ = false;  // Undo still brings it back
     if (gallery_open_) {
         gallery_->update(now_us);
-        for (auto& [id, picture] : gallery_->take_pictures()) {
-            ui::Texture texture({picture.width, picture.height}, ui::PixelFormat::Colour);
-            texture.upload(0, 0, texture.size(), picture.pixels);
-            painter_.set_picture(id, &gallery_pictures_.insert_or_assign(id, std::move(texture)).first->second);
-        }
+        show_gallery_pictures();
     }
     if (std::exchange(body_due_, false)) try_body();
     request_cloth();

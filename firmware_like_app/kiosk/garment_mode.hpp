@@ -190,6 +190,7 @@ class GarmentMode final : public Mode {
     void open_gallery();
     void keep_picture();
     void leave_gallery();
+    void show_gallery_pictures();
     void gallery_pointer(const ui::WindowEvent& event);
     void press_gallery(std::size_t item, std::int64_t now_us);
     void open_kept(std::int64_t id);
