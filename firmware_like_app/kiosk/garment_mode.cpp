@@ -430,6 +430,7 @@ void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
     (void)keeper_.end();
     if (gallery_open_) leave_gallery();
     export_no_place_ = false;
+    exporter_.forget();
     touch_.cancel();
     hold_ = Hold::None;
     pointer_px_.reset();
