@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 #include "firmware_like_app/garment/design_sources.hpp"
@@ -64,10 +65,17 @@ GarmentMode::~GarmentMode() = default;
 
 void GarmentMode::prepare() {
     if (desk_ || coming_.valid() || !failure_.empty()) return;
-    coming_ = std::async(std::launch::async,
-                         [make = options_.first_desk, size = options_.size, source = body_files_.source()] {
-                             return make ? make(size) : empty_desk(size, source);
-                         });
+    coming_ =
+        std::async(std::launch::async,
+                   [make = options_.first_desk, size = options_.size,
+                    source = body_files_.source()]() -> core::Result<core::GarmentDesk> {
+                       try {
+                           return make ? make(size) : empty_desk(size, source);
+                       } catch (const std::exception& error) {  // out of memory
+                           return core::unexpected(core::ErrorCode::Internal,
+                                                   std::string("the figure cannot be made (") + error.what() + ")");
+                       }
+                   });
 }
 
 /// Waits for the body of an empty design, when it is needed before it is there.
