@@ -362,12 +362,12 @@ void GarmentMode::update(std::int64_t now_us) {
 }
 
 int GarmentMode::update_ink() {
-    if (!desk_) return 0;
-    follow_live();
+    if (desk_) follow_live();
     const bool moves = (hold_ != Hold::None && hold_ != Hold::Board) || (drape_.on() && drape_.moving());
     views_.set_moving(options_.every_frame_seen && moves);
+    // also while the figure of an empty design is on its way: the last visitor's must not be seen until it comes
     if (views_.draw()) painter_.set_picture(FigureViews::kFigure, &views_.figure_texture());
-    project();
+    if (desk_) project();
     return 0;
 }
 
@@ -457,12 +457,13 @@ void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
     tape_.reset();
     piece_.clear();
     line_.clear();
-    cleared_ = find_wanted_ = erasing_ = eraser_near_ = false;
+    cleared_ = find_wanted_ = erasing_ = eraser_near_ = pen_hovers_ = body_due_ = false;
     repeat_us_.reset();
     put_away_.reset();
+    put_away_id_ = 0;
     scroll_px_ = 0;
     drawing_ = {};
-    washes_.clear();
+    drop_washes();
     options_.language = language;
     views_.reset_cameras();
     views_.show(ui::GarmentView::Front);
