@@ -525,7 +525,7 @@ Result<void> Network::associate(const std::string& name, PartSet parts) {
     return {};
 }
 
-Result<void> Network::move(Vec3 from, Vec3 to, double radius) {
+Result<void> Network::move(Vec3 from, Vec3 to, double radius, bool keeps_middle) {
     if (!is_usable(from) || !is_usable(to) || !std::isfinite(radius)) return bad("A vertex cannot be moved there.");
     const int vertex = nearest_vertex(from, options_.snap_cm);
     Vec3 centre = from;
@@ -541,11 +541,16 @@ Result<void> Network::move(Vec3 from, Vec3 to, double radius) {
         if (least == options_.snap_cm) return bad("There is no vertex to move there.");
     }
     const Vec3 shift = to - centre;
-    const auto moved = [&](Vec3 p) {
+    const auto follows = [&](Vec3 p) {
         const double d = length(p - centre);
         if (d >= std::max(radius, 1e-9)) return d > 0.0 ? p : p + shift;
         const double w = 1.0 - d * d / (radius * radius);
         return p + shift * (w * w);
+    };
+    const auto moved = [&](Vec3 p) {
+        Vec3 q = follows(p);
+        if (keeps_middle && p.x == 0.0) q.x = 0.0;
+        return q;
     };
     for (NetworkVertex& v : vertices_)
         if (v.layer == layer_) v.place = moved(v.place);

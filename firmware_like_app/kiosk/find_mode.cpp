@@ -304,7 +304,7 @@ void FindMode::drop_results() {
     shadow_.clear(painter_);
     order_.clear();
     rail_.set({});
-    wash_.clear();
+    drop_wash();
     wash_since_us_.reset();
     wash_out_us_.reset();
     wash_settled_ = false;
@@ -398,9 +398,13 @@ void FindMode::make_answer_visible() {
     make_wash();
 }
 
-void FindMode::make_wash() {
+void FindMode::drop_wash() {
     for (std::size_t i = 0; i < wash_.size(); ++i) painter_.set_picture(wash_id(i), nullptr);
     wash_.clear();
+}
+
+void FindMode::make_wash() {
+    drop_wash();
     if (!answer_ || answer_->answer.best.empty()) return;
     std::vector<const FoundPart*> parts;
     for (const FoundPart& part : answer_->answer.best[0].parts) {

@@ -286,12 +286,16 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     return state;
 }
 
-/// Closed outlines whose cloth is still being made.
-void GarmentMode::make_washes() {
+void GarmentMode::drop_washes() {
     for (std::size_t i = 0; i < washes_.size(); ++i) {
         painter_.set_picture(ui::PictureId{kFirstWash + static_cast<int>(i)}, nullptr);
     }
     washes_.clear();
+}
+
+/// Closed outlines whose cloth is still being made.
+void GarmentMode::make_washes() {
+    drop_washes();
     if (desk_->cloth_is_current()) return;
     const int width = std::max(1, static_cast<int>(layout_.sheet.width));
     const int height = std::max(1, static_cast<int>(layout_.sheet.height));

@@ -30,6 +30,7 @@ class SdlWindow final : public Window {
         std::vector<WindowEvent> events;
         SDL_Event event;
         while (SDL_PollEvent(&event) != 0) translate(event, events);
+        let_lost_finger_go(events);
         return events;
     }
 
@@ -85,8 +86,20 @@ class SdlWindow final : public Window {
 
     void finger(std::vector<WindowEvent>& events, WindowEvent::Kind kind, const SDL_TouchFingerEvent& touch) {
         const SizePx drawable = size();
+        const bool free = !held_;
         pointer(events, kind, touch.fingerId, touch.x * drawable.width, touch.y * drawable.height,
                 touch.pressure > 0.0F ? touch.pressure : 1.0, touch.timestamp);
+        if (free && held_) touch_screen_ = touch.touchId;
+    }
+
+    /// A touch screen that goes while a finger is on it, as one does whose cable has a bad day, never says that the
+    /// finger lifted: nothing else would point any more.
+    void let_lost_finger_go(std::vector<WindowEvent>& events) {
+        if (!held_ || *held_ == kMouse) return;
+        for (int i = 0; i < SDL_GetNumTouchDevices(); ++i)
+            if (SDL_GetTouchDevice(i) == touch_screen_) return;
+        held_.reset();
+        events.push_back({WindowEvent::Kind::Cancel, 0, 0, 1, now_us(), true});
     }
 
     /// Apart or nearer to each other, and where they go together.
@@ -192,6 +205,7 @@ class SdlWindow final : public Window {
     SDL_Window* window_;
     SDL_GLContext context_;
     std::optional<SDL_FingerID> held_;
+    SDL_TouchID touch_screen_ = 0;  // that the held finger is on
     MouseButtons buttons_;
     std::optional<std::pair<double, double>> together_;  // the middle of two fingers
 };
