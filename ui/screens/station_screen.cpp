@@ -241,7 +241,8 @@ class Builder {
         bool on = true;
         double fill = 0;
     };
-    /// Side by side, as wide as they are together: all alike, or where the words of one need more, each as its words.
+    /// Side by side, as wide as they are together: all alike, or where the words of one need more, each as its words;
+    /// below each other where that leaves too little room about them.
     void buttons(const std::vector<Choice>& choices) {
         y_ += s_.px(14);
         const double height = s_.target(66), gap = s_.px(12), count = static_cast<double>(choices.size());
@@ -252,6 +253,13 @@ class Builder {
             const double wide = fonts_.width_px(c.words, strong_);
             words += wide;
             alike = alike && wide + 2 * strong_.size_px <= all / count;
+        }
+        if ((all - words) / count < 1.8 * strong_.size_px) {
+            for (const Choice& c : choices) {
+                button_at({x_, y_, width_, height}, c.words, c.kind, c.action, c.on, c.fill);
+                y_ += height + s_.px(12);
+            }
+            return;
         }
         double x = x_;
         for (const Choice& c : choices) {
