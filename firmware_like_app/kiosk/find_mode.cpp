@@ -394,7 +394,7 @@ void FindMode::make_answer_visible() {
         with_cards->cards = preparer_.prepare(with_cards->answer);
         answer_ = std::move(with_cards);
     }
-    pictures_.start(answer_, layout_);
+    pictures_.start(answer_, fonts_, layout_);
     make_wash();
 }
 
@@ -458,7 +458,7 @@ void FindMode::update(std::int64_t now_us) {
 }
 
 void FindMode::use_spare_time() {
-    pictures_.paint(1, layout_, painter_);
+    pictures_.paint(1, painter_);
 }
 
 void FindMode::search_and_wait() {
@@ -477,7 +477,7 @@ void FindMode::search_and_wait() {
 void FindMode::settle(bool resting) {
     make_answer_visible();
     shadow_.settle(painter_);
-    pictures_.paint(static_cast<int>(ui::kCardCount), layout_, painter_);
+    pictures_.paint(static_cast<int>(ui::kCardCount), painter_);
     if (auto faces = pictures_.take_finished()) rail_.set(std::move(*faces));
     rail_.settle();
     pictures_.keep_only_shown(rail_, painter_);
