@@ -151,7 +151,7 @@ lines out 1
 if [ -w /dev/full ]; then
     "$croquis" index list --db "$db" >/dev/full 2>"$folder/err"
     [ $? -eq 1 ] || fault "nobody was told that the list could not be written"
-    says err 'standard output cannot be written to'
+    says err 'the results could not be written'
 fi
 
 # Every format that a query reads is replayed, pictures too; an index that is not there is a fault.
