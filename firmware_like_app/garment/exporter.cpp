@@ -164,7 +164,7 @@ ExportState Exporter::whole_state() const {
 }
 
 ExportState Exporter::state() const {
-    const ExportState now = whole_state();
+    ExportState now = whole_state();
     if (!forgotten_) return now;
     return is_running() ? ExportState{.stage = now.stage, .share = now.share} : ExportState{};
 }
