@@ -8,6 +8,7 @@ namespace {
 constexpr double kAscent = 0.75, kDescent = 0.25;  // of a line's size, above and below its baseline
 constexpr double kGap = 8;                         // between a line and the model, pixels of the design
 constexpr double kMostLean = 0.5;                  // as far to the right as there is room
+constexpr int kLeans = 4;                          // steps to there
 
 /// A line of text as a box on its card.
 struct Line {
@@ -93,8 +94,8 @@ CardPlace place_on_card(const FontSet& fonts, const FindLayout& layout, std::siz
         const std::string cut = fonts.cut(caption, text.caption, text.most_px);
         lines.push_back(placing.line(cut, text.caption, text.caption_baseline));
     }
-    for (const double tried : {lean, kMostLean}) {
-        options.lean = tried;
+    for (int step = 0; step <= kLeans; ++step) {  // no farther than needs be
+        options.lean = lean + (kMostLean - lean) * step / kLeans;
         if (placing.are_free(lines, model, options)) return place;
     }
     if (card > 0) {
