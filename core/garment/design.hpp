@@ -184,6 +184,7 @@ class DesignRunner {
     [[nodiscard]] const Network& network() const { return network_; }
     /// The body, and the layers below the one that is drawn on.
     [[nodiscard]] const Obstacle& obstacle() const { return *obstacle_; }
+    [[nodiscard]] std::shared_ptr<const Obstacle> shared_obstacle() const { return obstacle_; }  ///< the same
     [[nodiscard]] int layer() const { return layer_; }
     [[nodiscard]] const std::vector<Landmark>& landmarks() const { return worn_->form.landmarks; }
     [[nodiscard]] const DesignLook& look() const { return look_; }

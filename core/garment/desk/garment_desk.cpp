@@ -344,7 +344,10 @@ bool GarmentDesk::ready_live(int layer) {
     if (!cloth_is_current()) return false;
     for (const BuiltLayer& built : cloth_) {
         if (built.layer != layer) continue;
-        live_.emplace(network(), layer, state().look().mirror, *built.cloth);
+        const std::shared_ptr<const WornForm> worn = state().worn();
+        live_.emplace(network(), layer, state().look().mirror, *built.cloth,
+                      layer == state().layer() ? state().shared_obstacle()
+                                               : std::shared_ptr<const Obstacle>(worn, &worn->obstacle));
         live_layer_ = layer;
     }
     return live_.has_value();

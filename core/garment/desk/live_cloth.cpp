@@ -11,6 +11,17 @@ namespace {
 
 constexpr std::uint32_t kNone = ~0U;
 constexpr double kOnPlane_cm = 1e-6;
+constexpr double kClearance_cm = 0.2;  // less than fitted cloth has, which stays where it is
+constexpr int kWaysOut = 3;
+
+Vec3 outside(Vec3 p, const Obstacle& below) {
+    for (int i = 0; i < kWaysOut; ++i) {
+        const FieldSample sample = below.quick_sample(p);
+        if (sample.distance >= kClearance_cm) break;
+        p = p + sample.gradient * (kClearance_cm - sample.distance);
+    }
+    return p;
+}
 
 /// The ring of a region's outline, in the order of its keys, each line at a given number of edges.
 std::vector<Vec3> ring_places(const Network& network, const std::vector<BoundaryKey>& keys,
@@ -31,8 +42,12 @@ std::vector<Vec3> ring_places(const Network& network, const std::vector<Boundary
 
 }  // namespace
 
-LiveCloth::LiveCloth(const Network& network, int layer, bool mirror, const FinishedLayer& finished)
-    : drawn_(finished.drawn.mesh.vertices), fitted_(finished.fitted.mesh.vertices), places_(fitted_) {
+LiveCloth::LiveCloth(const Network& network, int layer, bool mirror, const FinishedLayer& finished,
+                     std::shared_ptr<const Obstacle> below)
+    : below_(std::move(below)),
+      drawn_(finished.drawn.mesh.vertices),
+      fitted_(finished.fitted.mesh.vertices),
+      places_(fitted_) {
     for (const NetworkLine& line : network.lines()) {
         edges_.push_back(network.edge_count(line));
         ends_.push_back({line.from, line.to});
@@ -69,14 +84,15 @@ LiveCloth::LiveCloth(const Network& network, int layer, bool mirror, const Finis
     }
 }
 
-/// The fitted place, moved as the filling moved.
+/// The fitted place, moved as the filling moved, and out of the body from there.
 void LiveCloth::show(const Piece& piece) {
     for (std::size_t v = 0; v < piece.now.size(); ++v) {
         const std::uint32_t own = piece.vertex[v], image = piece.image[v];
         if (own == kNone) continue;
         const Vec3 moved = piece.now[v] - drawn_[own];
-        places_[own] = fitted_[own] + moved;
-        if (image != kNone && image != own) places_[image] = fitted_[image] + Vec3{-moved.x, moved.y, moved.z};
+        places_[own] = outside(fitted_[own] + moved, *below_);
+        if (image != kNone && image != own)
+            places_[image] = outside(fitted_[image] + Vec3{-moved.x, moved.y, moved.z}, *below_);
         if (image == own && std::abs(drawn_[own].x) < kOnPlane_cm) places_[own].x = fitted_[own].x;
     }
 }

@@ -2,16 +2,17 @@
 // Cloth that follows a slider or a dragged vertex: the fillings of a layer with their factorisations kept, so that a
 // change costs a solve and no more.
 //
-//     core::LiveCloth live(network, layer, mirror, finished);
+//     core::LiveCloth live(network, layer, mirror, finished, obstacle);
 //     live.set_alpha("front", -0.1);           // one factorisation of one piece
 //     live.follow(moved_network);              // the same lines elsewhere: solves of the pieces they bound
 //     live.places();                           // of finished.fitted's vertices
 //
-// What is shown is the finished cloth moved by what the filling moved: it does not jump when the drag begins, and is
-// fitted to the body again when it rests.
+// What is shown is the finished cloth moved by what the filling moved, and out of the body where that would lead into
+// it: it does not jump when the drag begins, and is fitted to the body again when it rests.
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,10 @@ namespace core {
 
 class LiveCloth {
   public:
-    /// `finished` is the layer as built from this network. Pieces that cannot be filled stand still. Analyses and
-    /// factorises every piece: about 40 ms for 10,000 vertices.
-    LiveCloth(const Network& network, int layer, bool mirror, const FinishedLayer& finished);
+    /// `finished` is the layer as built from this network, `below` what it must stay outside of. Pieces that cannot be
+    /// filled stand still. Analyses and factorises every piece: about 40 ms for 10,000 vertices.
+    LiveCloth(const Network& network, int layer, bool mirror, const FinishedLayer& finished,
+              std::shared_ptr<const Obstacle> below);
 
     /// Clamped as PermanencePatch::set_alpha. Nothing happens for a name that is no piece of the layer.
     void set_alpha(const std::string& region, double alpha);
@@ -47,6 +49,7 @@ class LiveCloth {
     };
     void show(const Piece& piece);
 
+    std::shared_ptr<const Obstacle> below_;
     std::vector<int> edges_;  // of each line when it began
     std::vector<std::array<int, 2>> ends_;
     std::vector<Piece> pieces_;

@@ -707,7 +707,7 @@ TEST_CASE("live cloth is what a new build fills", "[garment_desk]") {
         const core::Vec3 fit = before.fitted.mesh.vertices[v] - before.drawn.mesh.vertices[v];
         CHECK(core::length(slid[v] - fit - after.drawn.mesh.vertices[v]) < 1e-6);
     }
-    // a drag
+    // a drag: this one leads nowhere into the body
     desk.settings().tool = DeskTool::Move;
     const core::DrawingView front = *core::named_view("front");
     desk.begin(front, {17, 15});
@@ -723,6 +723,26 @@ TEST_CASE("live cloth is what a new build fills", "[garment_desk]") {
         const core::Vec3 fit = after.fitted.mesh.vertices[v] - after.drawn.mesh.vertices[v];
         CHECK(core::length(dragged[v] - fit - moved.drawn.mesh.vertices[v]) < 1e-6);
     }
+}
+
+TEST_CASE("cloth that folds less while the slider is held stays outside of the body", "[garment_desk]") {
+    GarmentDesk desk = empty_desk();
+    skirt(desk);
+    REQUIRE(desk.set_alpha("front", -0.2).changed);
+    desk.build_now();
+    const std::vector<core::Vec3> fitted = desk.cloth()[0].cloth->fitted.mesh.vertices;
+    for (const double alpha : {-0.1, 0.0}) {
+        desk.slide_alpha("front", alpha);
+        REQUIRE(desk.live());
+        double least = 1e9;
+        for (const core::Vec3& p : *desk.live()->places) least = std::min(least, desk.state().obstacle().distance(p));
+        CHECK(least > 0.1);
+    }
+    desk.slide_alpha("front", -0.2);  // back where it began
+    double most = 0;
+    for (std::size_t v = 0; v < fitted.size(); ++v)
+        most = std::max(most, core::length((*desk.live()->places)[v] - fitted[v]));
+    CHECK(most < 1e-6);
 }
 
 TEST_CASE("every view in perspective is read back as it was settled", "[garment_desk]") {
