@@ -225,8 +225,9 @@ class Loop {
         note_drawing();
         if (last_drawing_.empty()) return;
         pens_.mark("the sheet was emptied");
+        // A full disk costs the recording, never the kiosk.
         const core::Result<void> kept = recorder_.keep(std::exchange(last_drawing_, {}));
-        if (!kept && failure_) failure_ = kept;
+        if (!kept && report_.problems.size() < 100) report_.problems.push_back(kept.error().sentence());
     }
 
     void replay() {

@@ -68,7 +68,7 @@ struct KioskReport {
     double median_frame_ms = 0;  ///< time to draw one, presenting left out
     double worst_frame_ms = 0;
     std::uint64_t pen_reports_lost = 0;  ///< that a full queue refused
-    std::vector<std::string> problems;   ///< with tablets, in sentences for people; at most 100
+    std::vector<std::string> problems;   ///< with tablets and recordings, in sentences for people; at most 100
     std::string renderer;                ///< what draws, as GL names it
     bool restart = false;                ///< the operator asked for a new start
 };
@@ -76,7 +76,7 @@ struct KioskReport {
 /// Runs until the window is closed, Escape is pressed, or (headless or end_after_replays) the replays end.
 /// A collection that is not ready: the sheet works and nothing is found. Headless, the loop waits for the search after
 /// each stroke and at each picture, so two runs give the same pictures. Errors: NoDisplay, FileMissing (fonts),
-/// BadArgument (unknown language, headless without replays or shots), WriteFailed (shots, record).
+/// BadArgument (unknown language, headless without replays or shots), WriteFailed (shots, record's folder).
 [[nodiscard]] core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost& collection,
                                                   std::vector<NamedDrawing> replays);
 /// The same on a collection that never changes; `searcher` may be null.
