@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace core {
@@ -32,7 +33,7 @@ RetrievalMetrics metrics_of_ranking(const std::vector<char>& relevant, int class
     RetrievalMetrics m;
     if (class_size <= 0 || relevant.empty()) return m;
     const double c = class_size;
-    double hits = 0.0, gain = 0.0, ideal = 0.0, precision_sum = 0.0, hits_32 = 0.0;
+    double hits = 0.0, gain = 0.0, ideal = 0.0, precision_sum = 0.0, hits_c = 0.0, hits_2c = 0.0, hits_32 = 0.0;
     std::vector<double> precision_at_hit;
     for (std::size_t i = 0; i < relevant.size(); ++i) {
         const double rank = static_cast<double>(i) + 1.0;
@@ -43,13 +44,15 @@ RetrievalMetrics metrics_of_ranking(const std::vector<char>& relevant, int class
         gain += 1.0 / discount;
         precision_sum += hits / rank;
         precision_at_hit.push_back(hits / rank);
-        if (rank <= c) m.ft += 1.0 / c;
-        if (rank <= 2.0 * c) m.st += 1.0 / c;
+        if (rank <= c) hits_c += 1.0;
+        if (rank <= 2.0 * c) hits_2c += 1.0;
         if (rank <= 32.0) hits_32 += 1.0;
         if (rank <= 5.0) m.first_5 = 1.0;
         if (rank <= 10.0) m.first_10 = 1.0;
     }
     m.nn = relevant[0] != 0 ? 1.0 : 0.0;
+    m.ft = hits_c / c;
+    m.st = hits_2c / c;
     const double p = hits_32 / 32.0, r = hits_32 / c;
     m.e = p + r > 0.0 ? 2.0 * p * r / (p + r) : 0.0;
     m.dcg = gain / ideal;
@@ -58,21 +61,30 @@ RetrievalMetrics metrics_of_ranking(const std::vector<char>& relevant, int class
     return m;
 }
 
+namespace {
+
+/// Calls with each of the figures, those of both.
+template <typename Call>
+void for_each_figure(RetrievalMetrics& a, const RetrievalMetrics& b, const Call& call) {
+    call(a.nn, b.nn);
+    call(a.ft, b.ft);
+    call(a.st, b.st);
+    call(a.e, b.e);
+    call(a.dcg, b.dcg);
+    call(a.ap, b.ap);
+    call(a.first_5, b.first_5);
+    call(a.first_10, b.first_10);
+    for (std::size_t k = 0; k < a.precision.size(); ++k) call(a.precision[k], b.precision[k]);
+}
+
+}  // namespace
+
 RetrievalMetrics mean_metrics(const std::vector<RetrievalMetrics>& all) {
     RetrievalMetrics mean;
     if (all.empty()) return mean;
-    const double w = 1.0 / static_cast<double>(all.size());
-    for (const RetrievalMetrics& m : all) {
-        mean.nn += w * m.nn;
-        mean.ft += w * m.ft;
-        mean.st += w * m.st;
-        mean.e += w * m.e;
-        mean.dcg += w * m.dcg;
-        mean.ap += w * m.ap;
-        mean.first_5 += w * m.first_5;
-        mean.first_10 += w * m.first_10;
-        for (std::size_t k = 0; k < mean.precision.size(); ++k) mean.precision[k] += w * m.precision[k];
-    }
+    for (const RetrievalMetrics& m : all) for_each_figure(mean, m, [](double& sum, double figure) { sum += figure; });
+    const auto count = static_cast<double>(all.size());
+    for_each_figure(mean, mean, [count](double& sum, double) { sum /= count; });
     return mean;
 }
 
@@ -89,6 +101,20 @@ namespace {
 
 int class_size_of(const std::vector<std::string>& classes, std::size_t query) {
     return static_cast<int>(std::count(classes.begin(), classes.end(), classes[query]));
+}
+
+/// Whether the nearest `ranks` others, and which they are, depend on the order of indices.
+bool has_tie(const std::vector<float>& row, const std::vector<int>& order, std::size_t query, int ranks) {
+    int rank = 0;
+    float before = std::numeric_limits<float>::quiet_NaN();
+    for (const int k : order) {
+        const auto other = static_cast<std::size_t>(k);
+        if (other == query) continue;
+        if (row[other] == before) return true;
+        before = row[other];
+        if (++rank > ranks) return false;
+    }
+    return false;
 }
 
 }  // namespace
@@ -116,8 +142,10 @@ ShapeTest shape_test(const std::vector<float>& distances, const std::vector<std:
             ++rank;
         }
         possible += std::min(ranks, c - 1);
-        test.bullseye += static_cast<double>(bullseye_hits) / c / static_cast<double>(n);
+        test.bullseye += static_cast<double>(bullseye_hits) / c;
+        test.ties += has_tie(row, order, q, ranks) ? 1 : 0;
     }
+    if (n > 0) test.bullseye /= static_cast<double>(n);
     test.total = possible > 0.0 ? found / possible : 0.0;
     return test;
 }

@@ -27,7 +27,7 @@ struct RetrievalMetrics {
 /// ones in the collection, all of which must be in the ranking. C = 0 gives zeros.
 [[nodiscard]] RetrievalMetrics metrics_of_ranking(const std::vector<char>& relevant, int class_size);
 
-/// Mean of several, zeros for none.
+/// Mean of several, zeros for none. Summed first, so that the mean of equal shares is that share.
 [[nodiscard]] RetrievalMetrics mean_metrics(const std::vector<RetrievalMetrics>& all);
 
 /// Indices of `distances` ascending by distance, ties by index (which is the order of ids).
@@ -38,6 +38,7 @@ struct ShapeTest {
     std::vector<int> hits_by_rank;  ///< same-class results at rank 1, 2, …
     double total = 0.0;             ///< share of same-class results in the nearest `ranks`
     double bullseye = 0.0;  ///< query included: same-class results in the nearest 2C, over C, averaged over queries
+    int ties = 0;           ///< queries with two others at the same distance, one of them among the nearest `ranks`
 };
 
 /// distances: n x n, row: query. Ties by index.

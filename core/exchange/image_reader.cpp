@@ -89,6 +89,28 @@ bool huffman_tables_fit(std::span<const std::byte> bytes) {
     return true;
 }
 
+/// Whether a BMP has all the rows that its header tells of; the decoder makes black ones of those that are missing. The
+/// filling behind the last row may be left out. Headers of other kinds are left to the decoder.
+bool bmp_is_whole(std::span<const std::byte> bytes) {
+    const auto little_endian = [&](std::size_t at, std::size_t count) {
+        std::uint64_t value = 0;
+        for (std::size_t k = count; k > 0; --k) value = value << 8 | std::to_integer<std::uint64_t>(bytes[at + k - 1]);
+        return value;
+    };
+    constexpr std::size_t kShortHeader = 12, kHeader = 40;
+    constexpr auto kMostSide = static_cast<std::uint64_t>(kMaxImageSide_px);
+    if (bytes.size() < 14 + kShortHeader) return false;
+    const std::uint64_t header = little_endian(14, 4);
+    if (header != kShortHeader && (header < kHeader || bytes.size() < 14 + kHeader)) return true;
+    const bool is_short = header == kShortHeader;
+    const std::uint64_t width = is_short ? little_endian(18, 2) : little_endian(18, 4);
+    const auto signed_height = static_cast<std::int32_t>(is_short ? little_endian(20, 2) : little_endian(22, 4));
+    const std::uint64_t height = static_cast<std::uint64_t>(std::abs(static_cast<std::int64_t>(signed_height)));
+    const std::uint64_t row_bits = width * little_endian(is_short ? 24 : 28, 2);
+    if (height == 0 || width > kMostSide || height > kMostSide) return true;
+    return little_endian(10, 4) + (height - 1) * ((row_bits + 31) / 32 * 4) + (row_bits + 7) / 8 <= bytes.size();
+}
+
 using Pixels = std::unique_ptr<stbi_uc, void (*)(void*)>;
 
 struct Decoded {
@@ -105,6 +127,7 @@ Result<Decoded> decode(std::span<const std::byte> bytes, int channels) {
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
 
+    if (starts_with(bytes, {'B', 'M'}) && !bmp_is_whole(bytes)) return damaged();
     if (starts_with(bytes, {0xFF, 0xD8}) && !huffman_tables_fit(bytes)) return damaged();
     Decoded out;
     if (!stbi_info_from_memory(data, size, &out.width, &out.height, &out.channels)) return damaged();

@@ -246,7 +246,7 @@ Result<void> DesignRunner::change(Network& next, const DesignStep& step) const {
         case Kind::Alpha:
             return next.set_alpha(step.region, step.alpha);
         case Kind::Move:
-            return next.move(step.at, step.to, step.radius);
+            return next.move(step.at, step.to, step.radius, look_.mirror);
         case Kind::Weld:
             return next.weld(step.at, step.to);
         case Kind::Associate:

@@ -26,7 +26,7 @@ Unexpected bad(std::string what) {
 Unexpected bad_outline(std::string what) {
     return unexpected(ErrorCode::BadOutline, std::move(what));
 }
-std::string quoted(const std::string& name) {
+std::string in_quotes(const std::string& name) {
     return "\"" + name + "\"";
 }
 
@@ -101,9 +101,9 @@ void Network::link(const std::string& name, int from, int to, SpaceLine shape) {
 Result<void> Network::add_line(const std::string& name, SpaceLine points, bool to_middle) {
     if (name.empty()) return bad("A line needs a name.");
     for (const Vec3& p : points)
-        if (!is_usable(p)) return bad("The line " + quoted(name) + " has a coordinate that is no finite number.");
+        if (!is_usable(p)) return bad("The line " + in_quotes(name) + " has a coordinate that is no finite number.");
     if (points.size() < 2 || line_length(points) < 0.5 * options_.edge_cm)
-        return bad("The line " + quoted(name) + " is too short: draw it longer.");
+        return bad("The line " + in_quotes(name) + " is too short: draw it longer.");
     for (Vec3* end : {&points.front(), &points.back()})
         if (to_middle && std::abs(end->x) < options_.snap_cm) end->x = 0.0;
     const bool closed =
@@ -116,7 +116,7 @@ Result<void> Network::add_line(const std::string& name, SpaceLine points, bool t
     const int first = vertex_for_end(shape.front());
     const int last = closed ? first : vertex_for_end(shape.back());
     if (first == last && breaks.empty())
-        return bad("The line " + quoted(name) + " ends where it starts: draw it longer, or closed.");
+        return bad("The line " + in_quotes(name) + " ends where it starts: draw it longer, or closed.");
     int from = first;
     double passed = 0.0;
     for (const double at : breaks) {
@@ -188,7 +188,7 @@ Result<std::vector<LineUse>> Network::ring_of(const std::string& region, const s
         const std::vector<int> pieces = pieces_of(name);
         candidates.insert(candidates.end(), pieces.begin(), pieces.end());
         if (pieces.empty())
-            return bad_outline("The region " + quoted(region) + " names the line " + quoted(name) +
+            return bad_outline("The region " + in_quotes(region) + " names the line " + in_quotes(name) +
                                ", which does not exist.");
     }
     const auto line = [&](int i) -> const NetworkLine& { return lines_[static_cast<std::size_t>(i)]; };
@@ -208,7 +208,7 @@ Result<std::vector<LineUse>> Network::ring_of(const std::string& region, const s
         }
     }
     if (candidates.empty())
-        return bad_outline("The region " + quoted(region) + " is not closed: the line " + quoted(loose) +
+        return bad_outline("The region " + in_quotes(region) + " is not closed: the line " + in_quotes(loose) +
                            " has an end that meets no other of its lines.");
     std::vector<LineUse> ring{{candidates.front(), false}};
     std::set<int> used{candidates.front()};
@@ -218,15 +218,15 @@ Result<std::vector<LineUse>> Network::ring_of(const std::string& region, const s
             return used.count(i) == 0 && (line(i).from == at || line(i).to == at);
         });
         if (next == candidates.end() || degree[at] != 2)
-            return bad_outline("The lines of the region " + quoted(region) +
-                               " make no simple ring: at an end of the line " + quoted(line(ring.back().line).name) +
+            return bad_outline("The lines of the region " + in_quotes(region) +
+                               " make no simple ring: at an end of the line " + in_quotes(line(ring.back().line).name) +
                                " meet " + std::to_string(degree[at]) + " of them.");
         ring.push_back({*next, line(*next).from != at});
         used.insert(*next);
         at = ring.back().reversed ? line(*next).from : line(*next).to;
     }
     if (used.size() != candidates.size())
-        return bad_outline("The lines of the region " + quoted(region) + " make more than one ring.");
+        return bad_outline("The lines of the region " + in_quotes(region) + " make more than one ring.");
     return ring;
 }
 
@@ -294,7 +294,7 @@ std::set<int> Network::detected_corners(const std::vector<LineUse>& ring) const 
 
 Result<void> Network::add_region(const std::string& name, const std::vector<std::string>& lines, const Obstacle* body) {
     if (name.empty() || find_region(name) != nullptr)
-        return bad("A region needs a name that no other has; " + quoted(name) + " is none.");
+        return bad("A region needs a name that no other has; " + in_quotes(name) + " is none.");
     Result<std::vector<LineUse>> ring = ring_of(name, lines);
     if (!ring) return unexpected(ring.error());
     if (body != nullptr) turn_outward(*ring, *body);
@@ -381,14 +381,14 @@ Result<void> Network::part_ring(int index, const std::vector<int>& lines, int fr
 
 Result<void> Network::cut(const std::string& name, SpaceLine points, const std::string& new_name) {
     NetworkRegion* region = region_named(name);
-    if (region == nullptr) return bad("There is no region " + quoted(name) + " to cut.");
+    if (region == nullptr) return bad("There is no region " + in_quotes(name) + " to cut.");
     if (new_name.empty() || find_region(new_name) != nullptr)
-        return bad("The second half of " + quoted(name) + " needs a name that no other region has.");
-    if (points.size() < 2) return bad("The cut through " + quoted(name) + " has fewer than two points.");
+        return bad("The second half of " + in_quotes(name) + " needs a name that no other region has.");
+    if (points.size() < 2) return bad("The cut through " + in_quotes(name) + " has fewer than two points.");
     const auto index = static_cast<int>(region - regions_.data());
     const int from = vertex_on_ring(*region, points.front());
     const int to = vertex_on_ring(regions_[static_cast<std::size_t>(index)], points.back());
-    if (from == to) return bad("The cut through " + quoted(name) + " starts and ends at one place of its edge.");
+    if (from == to) return bad("The cut through " + in_quotes(name) + " starts and ends at one place of its edge.");
     const int line = static_cast<int>(lines_.size());
     link(new_name + " cut", from, to,
          resampled(points, std::max(2, static_cast<int>(std::lround(line_length(points) / kHandSpacing_cm)))));
@@ -397,11 +397,11 @@ Result<void> Network::cut(const std::string& name, SpaceLine points, const std::
 
 Result<void> Network::cut_hole(const std::string& name, SpaceLine loop, const std::string& new_name) {
     NetworkRegion* region = region_named(name);
-    if (region == nullptr) return bad("There is no region " + quoted(name) + " to cut a hole into.");
+    if (region == nullptr) return bad("There is no region " + in_quotes(name) + " to cut a hole into.");
     if (new_name.empty() || find_region(new_name) != nullptr)
-        return bad("The second half of " + quoted(name) + " needs a name that no other region has.");
+        return bad("The second half of " + in_quotes(name) + " needs a name that no other region has.");
     if (loop.size() < 4 || line_length(loop) < 2.0 * options_.edge_cm)
-        return bad("The hole in " + quoted(name) + " is too small: draw it larger.");
+        return bad("The hole in " + in_quotes(name) + " is too small: draw it larger.");
     if (length(loop.front() - loop.back()) > 1e-9) loop.push_back(loop.front());
     const auto index = static_cast<std::size_t>(region - regions_.data());
     if (dot(newell(loop), ring_normal(region->ring)) < 0.0) std::reverse(loop.begin(), loop.end());
@@ -423,7 +423,7 @@ Result<void> Network::cut_hole(const std::string& name, SpaceLine loop, const st
     }
     const int a = vertex_on_ring(*region, first.front());
     const int b = vertex_on_ring(regions_[index], second.front());
-    if (a == b) return bad("The hole in " + quoted(name) + " lies too near to a corner to be cut: draw it smaller.");
+    if (a == b) return bad("The hole in " + in_quotes(name) + " lies too near to a corner to be cut: draw it smaller.");
     const int near = add_vertex(first.front()), far = add_vertex(second.front());
     const std::string hole = new_name + " hole";
     const int line = static_cast<int>(lines_.size());
@@ -473,7 +473,7 @@ void Network::release_region(const std::string& name) {
 
 Result<void> Network::remove_region(const std::string& name) {
     NetworkRegion* region = region_named(name);
-    if (region == nullptr) return bad("There is no region " + quoted(name) + " to remove.");
+    if (region == nullptr) return bad("There is no region " + in_quotes(name) + " to remove.");
     region->alive = false;
     for (const LineUse use : region->ring) {
         bool used = false;
@@ -494,17 +494,17 @@ void Network::drop_unused_vertices() {
 
 Result<void> Network::set_corner(const std::string& name, Vec3 place, bool corner) {
     NetworkRegion* region = region_named(name);
-    if (region == nullptr) return bad("There is no region " + quoted(name) + ".");
+    if (region == nullptr) return bad("There is no region " + in_quotes(name) + ".");
     const auto index = static_cast<std::size_t>(region - regions_.data());
     const int vertex = vertex_on_ring(*region, place);
     std::set<int>& corners = regions_[index].corners;
     if (corner) {
         if (corners.size() >= kMostSides && corners.count(vertex) == 0)
-            return bad("The region " + quoted(name) + " has 8 corners already: take one away first.");
+            return bad("The region " + in_quotes(name) + " has 8 corners already: take one away first.");
         corners.insert(vertex);
     } else {
         if (corners.size() <= kFewestCorners && corners.count(vertex) != 0)
-            return bad("The region " + quoted(name) + " needs two corners: set another one first.");
+            return bad("The region " + in_quotes(name) + " needs two corners: set another one first.");
         corners.erase(vertex);
     }
     return {};
@@ -512,7 +512,7 @@ Result<void> Network::set_corner(const std::string& name, Vec3 place, bool corne
 
 Result<void> Network::set_alpha(const std::string& name, double alpha) {
     NetworkRegion* region = region_named(name);
-    if (region == nullptr) return bad("There is no region " + quoted(name) + ".");
+    if (region == nullptr) return bad("There is no region " + in_quotes(name) + ".");
     if (!(alpha >= kCoonsAlpha && alpha <= kHarmonicAlpha)) return bad("alpha must lie between -0.25 and 0.");
     region->alpha = alpha;
     return {};
@@ -520,12 +520,12 @@ Result<void> Network::set_alpha(const std::string& name, double alpha) {
 
 Result<void> Network::associate(const std::string& name, PartSet parts) {
     NetworkRegion* region = region_named(name);
-    if (region == nullptr) return bad("There is no region " + quoted(name) + ".");
+    if (region == nullptr) return bad("There is no region " + in_quotes(name) + ".");
     region->parts = parts;
     return {};
 }
 
-Result<void> Network::move(Vec3 from, Vec3 to, double radius) {
+Result<void> Network::move(Vec3 from, Vec3 to, double radius, bool keeps_middle) {
     if (!is_usable(from) || !is_usable(to) || !std::isfinite(radius)) return bad("A vertex cannot be moved there.");
     const int vertex = nearest_vertex(from, options_.snap_cm);
     Vec3 centre = from;
@@ -541,11 +541,16 @@ Result<void> Network::move(Vec3 from, Vec3 to, double radius) {
         if (least == options_.snap_cm) return bad("There is no vertex to move there.");
     }
     const Vec3 shift = to - centre;
-    const auto moved = [&](Vec3 p) {
+    const auto follows = [&](Vec3 p) {
         const double d = length(p - centre);
         if (d >= std::max(radius, 1e-9)) return d > 0.0 ? p : p + shift;
         const double w = 1.0 - d * d / (radius * radius);
         return p + shift * (w * w);
+    };
+    const auto moved = [&](Vec3 p) {
+        Vec3 q = follows(p);
+        if (keeps_middle && p.x == 0.0) q.x = 0.0;
+        return q;
     };
     for (NetworkVertex& v : vertices_)
         if (v.layer == layer_) v.place = moved(v.place);
@@ -569,7 +574,7 @@ Result<void> Network::weld(Vec3 keep, Vec3 move) {
 Result<void> Network::weld_vertices(int stays, int goes) {
     for (const NetworkLine& line : lines_)
         if (line.alive && std::minmax(line.from, line.to) == std::minmax(stays, goes))
-            return bad("The two ends of the line " + quoted(line.name) + " cannot be joined.");
+            return bad("The two ends of the line " + in_quotes(line.name) + " cannot be joined.");
     for (NetworkLine& line : lines_) {
         if (line.from != goes && line.to != goes) continue;
         if (line.from == goes) line.from = stays;
@@ -585,7 +590,7 @@ Result<void> Network::weld_vertices(int stays, int goes) {
 
 Result<void> Network::erase_line(const std::string& piece) {
     const int line = line_named(piece);
-    if (line < 0) return bad("There is no line " + quoted(piece) + " to erase.");
+    if (line < 0) return bad("There is no line " + in_quotes(piece) + " to erase.");
     for (NetworkRegion& region : regions_)
         for (const LineUse use : region.ring) region.alive = region.alive && use.line != line;
     lines_[static_cast<std::size_t>(line)].alive = false;
@@ -595,9 +600,9 @@ Result<void> Network::erase_line(const std::string& piece) {
 
 Result<void> Network::join(Vec3 end, const std::string& piece) {
     const int line = line_named(piece), goes = nearest_vertex(end, options_.snap_cm);
-    if (line < 0 || goes < 0) return bad("There is no line end to join to " + quoted(piece) + " there.");
+    if (line < 0 || goes < 0) return bad("There is no line end to join to " + in_quotes(piece) + " there.");
     const NetworkLine& own = lines_[static_cast<std::size_t>(line)];
-    if (own.from == goes || own.to == goes) return bad("The line " + quoted(piece) + " cannot be joined to itself.");
+    if (own.from == goes || own.to == goes) return bad("The line " + in_quotes(piece) + " cannot be joined to itself.");
     const Vec3 place = vertices_[static_cast<std::size_t>(goes)].place;
     const NearestOnLine near = nearest_on_line(own.shape, place);
     return weld_vertices(vertex_along(line, near.along), goes);
@@ -613,7 +618,7 @@ int Network::vertex_along(int line, double along) {
 Result<void> Network::meet(const std::string& one, Vec3 at, const std::string& other, Vec3 to) {
     const int a = line_named(one), b = line_named(other);
     if (a < 0 || b < 0 || !is_usable(at) || !is_usable(to))
-        return bad("There are no two lines " + quoted(one) + " and " + quoted(other) + " that cross.");
+        return bad("There are no two lines " + in_quotes(one) + " and " + in_quotes(other) + " that cross.");
     const auto along = [&](int line, Vec3 place) {
         return nearest_on_line(lines_[static_cast<std::size_t>(line)].shape, place).along;
     };
@@ -625,7 +630,7 @@ Result<void> Network::meet(const std::string& one, Vec3 at, const std::string& o
     const double here = along(a, at), there = along(a, to);
     const double first = std::min(here, there), last = std::max(here, there);
     if (last - first < 2.0 * options_.edge_cm)
-        return bad("The line " + quoted(one) + " crosses itself in too small a loop.");
+        return bad("The line " + in_quotes(one) + " crosses itself in too small a loop.");
     const int end = vertex_along(a, last);
     (void)split_at(a, 0.5 * (first + last));
     return weld_vertices(vertex_along(a, first), end);
@@ -647,12 +652,12 @@ Stretch stretch_of(const SpaceLine& line, Vec3 at, Vec3 to) {
 
 Result<void> Network::smooth(const std::string& piece, Vec3 at, Vec3 to) {
     const int line = line_named(piece);
-    if (line < 0) return bad("There is no line " + quoted(piece) + " to smooth.");
+    if (line < 0) return bad("There is no line " + in_quotes(piece) + " to smooth.");
     if (!is_usable(at) || !is_usable(to)) return bad("A line cannot be smoothed there.");
     SpaceLine& shape = lines_[static_cast<std::size_t>(line)].shape;
     const Stretch part = stretch_of(shape, at, to);
     if (part.to - part.from < options_.edge_cm)
-        return bad("The stretch of " + quoted(piece) + " is too short to smooth: draw along it.");
+        return bad("The stretch of " + in_quotes(piece) + " is too short to smooth: draw along it.");
     const double total = line_length(shape);
     SpaceLine out = resampled(shape, std::max(8, static_cast<int>(std::lround(total / kHandSpacing_cm))));
     const double step = total / static_cast<double>(out.size() - 1);
@@ -672,7 +677,7 @@ Result<void> Network::smooth(const std::string& piece, Vec3 at, Vec3 to) {
 Result<void> Network::bump(const std::string& piece, Vec3 at, Vec3 to, double wave, double depth,
                            const std::function<Vec3(Vec3)>& outward) {
     const int line = line_named(piece);
-    if (line < 0) return bad("There is no line " + quoted(piece) + " to lay folds into.");
+    if (line < 0) return bad("There is no line " + in_quotes(piece) + " to lay folds into.");
     if (!is_usable(at) || !is_usable(to) || !(wave >= kHandSpacing_cm) || !(wave <= 1000.0) || !(depth > 0.0) ||
         !(depth <= 100.0))
         return bad("Folds need a length of 0.5 cm at least and a depth above 0.");
@@ -680,7 +685,7 @@ Result<void> Network::bump(const std::string& piece, Vec3 at, Vec3 to, double wa
     const Stretch part = stretch_of(shape, at, to);
     const double stretch = part.to - part.from, total = line_length(shape);
     if (stretch < 0.75 * wave)
-        return bad("The stretch of " + quoted(piece) + " is too short for a fold: draw farther along it.");
+        return bad("The stretch of " + in_quotes(piece) + " is too short for a fold: draw farther along it.");
     const double waves = std::max(1.0, std::round(stretch / wave));
     SpaceLine out = resampled(shape, std::max(8, static_cast<int>(std::lround(total / kHandSpacing_cm))));
     const SpaceLine before = out;
@@ -706,9 +711,9 @@ Result<void> Network::set_edge(double cm) {
 
 Result<void> Network::rename_region(const std::string& name, const std::string& new_name) {
     NetworkRegion* region = region_named(name);
-    if (region == nullptr) return bad("There is no region " + quoted(name) + ".");
+    if (region == nullptr) return bad("There is no region " + in_quotes(name) + ".");
     if (new_name.empty() || (new_name != name && find_region(new_name) != nullptr))
-        return bad("A region needs a name that no other has; " + quoted(new_name) + " is none.");
+        return bad("A region needs a name that no other has; " + in_quotes(new_name) + " is none.");
     region->name = new_name;
     return {};
 }
@@ -751,7 +756,7 @@ std::vector<LineUse> Network::ring_in_order(const NetworkRegion& region) const {
 Result<RegionBoundary> Network::boundary(const NetworkRegion& region) const {
     const bool has_corner = std::any_of(region.ring.begin(), region.ring.end(),
                                         [&](LineUse u) { return region.corners.count(start_of(u)) != 0; });
-    if (!has_corner) return bad_outline("The region " + quoted(region.name) + " has no corners: mark two at least.");
+    if (!has_corner) return bad_outline("The region " + in_quotes(region.name) + " has no corners: mark two at least.");
     const std::vector<LineUse> ring = ring_in_order(region);
     RegionBoundary out;
     for (const LineUse use : ring) {

@@ -119,8 +119,9 @@ class Network {
     [[nodiscard]] Result<void> associate(const std::string& region, PartSet parts);
 
     /// Moves the vertex nearest to `from`, or without one the nearest place of a line, to `to`, and all lines of its
-    /// layer within `radius` of it with it, less the farther they are.
-    [[nodiscard]] Result<void> move(Vec3 from, Vec3 to, double radius);
+    /// layer within `radius` (cm) of it with it, less the farther they are. `keeps_middle`: what lies on the symmetry
+    /// plane x = 0 stays on it, as a garment that is mirrored there needs it.
+    [[nodiscard]] Result<void> move(Vec3 from, Vec3 to, double radius, bool keeps_middle = false);
 
     /// Joins the vertices nearest to two places, which must not be the ends of one line; the second comes to the first.
     [[nodiscard]] Result<void> weld(Vec3 keep, Vec3 move);

@@ -113,6 +113,13 @@ bool has_fold(const QuadMesh& mesh, Vec3 normal) {
     return false;
 }
 
+/// Four sides, opposite ones with as many edges: a Coons patch there is the sum of what the sides do, however high they
+/// arch, and swings nowhere.
+bool is_grid(const RegionTopology& topology) {
+    return topology.counts.irregular() == 0 &&
+           std::count(topology.is_corner.begin(), topology.is_corner.end(), true) == 4;
+}
+
 /// Whether inner vertices leave the ring's bounding box, or inner edges are much longer than the ring's.
 bool swings_out(const QuadMesh& mesh, const std::vector<Vec3>& ring) {
     Vec3 low = ring[0], high = ring[0];
@@ -167,8 +174,9 @@ FilledRegion fill_ring(RegionTopology topology, const std::vector<Vec3>& ring, d
     patch.solve(filled.mesh.vertices);
     filled.alpha = patch.alpha();
     const Vec3 normal = plane_normal(ring);
+    const bool grid = is_grid(filled.topology);
     const auto good = [&](const QuadMesh& mesh) {
-        return !swings_out(mesh, ring) && (normal == Vec3{} || !has_fold(mesh, normal));
+        return (grid || !swings_out(mesh, ring)) && (normal == Vec3{} || !has_fold(mesh, normal));
     };
     if (filled.alpha == kHarmonicAlpha || good(filled.mesh)) return filled;
     QuadMesh flatter = filled.mesh;

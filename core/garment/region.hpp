@@ -39,7 +39,8 @@ struct FilledRegion {
 /// Places the inner vertices of `topology` for a boundary ring. Near alpha = -1/4 the patch of a region with irregular
 /// vertices may fold over itself or swing far out of its outline: where a plane ring gives folded quads, or an inner
 /// vertex leaves the ring's bounding box by a twentieth of its size, or an edge is four times as long as the ring's,
-/// the nearest alpha of a short list towards 0 is used that does neither; on a circle 0 never folds (Tutte 1963). Cost:
+/// the nearest alpha of a short list towards 0 is used that does neither; on a circle 0 never folds (Tutte 1963). A
+/// grid of four sides may leave the box: there -1/4 is the Coons patch, which does so where opposite sides arch. Cost:
 /// PermanencePatch, more than once only there.
 [[nodiscard]] FilledRegion fill_ring(RegionTopology topology, const std::vector<Vec3>& ring, double alpha);
 

@@ -28,7 +28,8 @@ Result<void> write_starter_collection(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder, failure);
     if (failure)
         return unexpected(ErrorCode::WriteFailed,
-                          "The folder for the starter collection cannot be made: " + failure.message() + ".",
+                          "the folder for the starter collection cannot be made (" + failure.message() +
+                              "); name a place where this user may write",
                           folder.string());
     std::string list;
     for (const StarterModel& model : starter_collection()) {

@@ -38,17 +38,19 @@ core::Result<Contours> load_contours(const db::TwoViewIndex& index, int jobs) {
     return contours;
 }
 
+/// Takes lists that are right, by their places.
+using KeepLists = std::function<core::Result<void>(const std::vector<std::size_t>& places, const core::NearestLists&)>;
+
 class LikenessUpdate {
   public:
-    LikenessUpdate(db::TwoViewIndex& index, const Contours& models, core::NearestLists lists, int jobs,
-                   std::stop_token stop)
-        : index_(index),
-          models_(models),
+    LikenessUpdate(const Contours& models, core::NearestLists lists, int jobs, std::stop_token stop, KeepLists keep)
+        : models_(models),
           lists_(std::move(lists)),
           full_(std::min(core::kNearestCount, models.ids.size() - 1)),
           measured_(models.ids.size()),
           matchers_(static_cast<std::size_t>(std::max(1, jobs))),
-          stop_(std::move(stop)) {
+          stop_(std::move(stop)),
+          keep_(std::move(keep)) {
         for (std::size_t i = 0; i < models_.ids.size(); ++i) {
             if (lists_[i].size() < full_) open_.push_back(i);
         }
@@ -66,12 +68,14 @@ class LikenessUpdate {
                 report.interrupted = true;
                 return report;
             }
-            if (const core::Result<void> done = store(batch); !done) return core::unexpected(done.error());
+            if (const core::Result<void> done = keep(batch); !done) return core::unexpected(done.error());
             report.measured += static_cast<int>(batch.size());
             if (progress) progress(first + batch.size(), open_.size());
         }
         return report;
     }
+
+    [[nodiscard]] core::NearestLists take_lists() { return std::move(lists_); }
 
   private:
     /// Distances of the batch's models to all others, but for pairs that were measured before, then into the lists of
@@ -132,7 +136,7 @@ class LikenessUpdate {
     }
 
     /// The batch, and lists of others that it changed. Those that wait for their own batch are not complete yet.
-    core::Result<void> store(std::span<const std::size_t> batch) {
+    core::Result<void> keep(std::span<const std::size_t> batch) {
         std::vector<std::size_t> due(batch.begin(), batch.end());
         for (const std::size_t i : changed_) {
             if (measured_[i] != 0 || !std::binary_search(open_.begin(), open_.end(), i)) due.push_back(i);
@@ -140,17 +144,9 @@ class LikenessUpdate {
         changed_.clear();
         std::sort(due.begin(), due.end());
         due.erase(std::unique(due.begin(), due.end()), due.end());
-        std::vector<db::NeighbourList> lists;
-        for (const std::size_t i : due) {
-            lists.push_back({models_.ids[i], {}});
-            for (const core::Neighbour& n : lists_[i]) {
-                lists.back().nearest.push_back({models_.ids[static_cast<std::size_t>(n.item)], n.distance});
-            }
-        }
-        return index_.store_neighbours(lists);
+        return keep_(due, lists_);
     }
 
-    db::TwoViewIndex& index_;
     const Contours& models_;
     core::NearestLists lists_;
     std::size_t full_;
@@ -159,7 +155,20 @@ class LikenessUpdate {
     std::vector<std::size_t> changed_;  // lists to be stored; a model may be named several times
     std::vector<core::ContourMatcher> matchers_;
     std::stop_token stop_;
+    KeepLists keep_;
 };
+
+core::Result<void> store(db::TwoViewIndex& index, const std::vector<std::int64_t>& ids,
+                         const std::vector<std::size_t>& places, const core::NearestLists& lists) {
+    std::vector<db::NeighbourList> stored;
+    for (const std::size_t i : places) {
+        stored.push_back({ids[i], {}});
+        for (const core::Neighbour& n : lists[i]) {
+            stored.back().nearest.push_back({ids[static_cast<std::size_t>(n.item)], n.distance});
+        }
+    }
+    return index.store_neighbours(stored);
+}
 
 }  // namespace
 
@@ -194,7 +203,26 @@ core::Result<LikenessReport> update_likeness(db::TwoViewIndex& index, int jobs, 
     if (models->ids.empty()) return LikenessReport{};
     const core::Result<std::vector<db::NeighbourList>> stored = index.neighbour_lists();
     if (!stored) return core::unexpected(stored.error());
-    return LikenessUpdate(index, *models, lists_by_place(*stored, models->ids), jobs, stop).run(progress);
+    const KeepLists keep = [&](const std::vector<std::size_t>& places, const core::NearestLists& lists) {
+        return store(index, models->ids, places, lists);
+    };
+    return LikenessUpdate(*models, lists_by_place(*stored, models->ids), jobs, stop, keep).run(progress);
+}
+
+core::NearestLists measured_likeness(std::span<const CollectionModel> models, int jobs,
+                                     const std::function<void(std::size_t done, std::size_t total)>& progress) {
+    if (models.empty()) return {};
+    Contours contours;
+    for (const CollectionModel& model : models) {
+        contours.ids.push_back(model.record.id);
+        contours.views.push_back({model.views[0].contour, model.views[1].contour});
+    }
+    const KeepLists nowhere = [](const std::vector<std::size_t>&, const core::NearestLists&) {
+        return core::Result<void>();
+    };
+    LikenessUpdate update(contours, core::NearestLists(models.size()), jobs, {}, nowhere);
+    (void)update.run(progress);  // nothing is stored and nobody stops it, so nothing can fail
+    return update.take_lists();
 }
 
 }  // namespace app

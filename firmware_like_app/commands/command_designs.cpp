@@ -12,6 +12,7 @@
 
 #include "core/exchange/design_file.hpp"
 #include "db/stores/design_store.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
 #include "firmware_like_app/commands/progress_bar.hpp"
 #include "firmware_like_app/garment/design_sources.hpp"
 #include "firmware_like_app/garment/exporter.hpp"
@@ -36,10 +37,6 @@ std::string date_of(std::int64_t us) {
     std::string text(20, '\0');
     text.resize(std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &parts));
     return text;
-}
-
-void print_json(const ordered_json& object) {
-    std::printf("%s\n", object.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
 }
 
 core::Result<db::DesignStore> open_store(const DesignsCommand& options, db::OpenMode mode = db::OpenMode::ReadOnly) {

@@ -1,10 +1,12 @@
 // croquis doctor: what is fine, what is not, what to do.
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "firmware_like_app/commands/commands.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
 #include "firmware_like_app/health/self_test.hpp"
 
 namespace app {
@@ -28,7 +30,7 @@ void print_as_json(const std::vector<Check>& checks, bool good) {
         all.push_back({{"name", check.name}, {"good", check.good}, {"found", check.found}, {"advice", check.advice}});
     }
     const nlohmann::ordered_json out{{"good", good}, {"checks", all}};
-    std::printf("%s\n", out.dump().c_str());
+    print_json(out);
 }
 
 void run_doctor(const DoctorOptions& options, CommandState& state) {
@@ -41,14 +43,20 @@ void run_doctor(const DoctorOptions& options, CommandState& state) {
     if (!options.database.empty()) config.collection.database = options.database;
     std::vector<Check> checks = check_machine();
     for (Check& check : check_station(config, options.config)) checks.push_back(std::move(check));
-    bool good = true;
-    for (const Check& check : checks) good = good && check.good;
+    checks.push_back(check_permissions(config, options.config));
+    const auto bad = std::count_if(checks.begin(), checks.end(), [](const Check& check) { return !check.good; });
+    const bool good = bad == 0;
     if (options.json) {
         print_as_json(checks, good);
     } else {
         print_for_people(checks);
     }
-    if (!good) state.exit_code = 1;
+    if (!good) {
+        std::fprintf(stderr,
+                     "croquis: %td of %zu things are not fine; standard output names them and says what to do\n", bad,
+                     checks.size());
+        state.exit_code = 1;
+    }
 }
 
 }  // namespace

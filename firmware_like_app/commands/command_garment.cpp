@@ -24,6 +24,7 @@
 #include "firmware_like_app/commands/command_pattern.hpp"
 #include "firmware_like_app/commands/commands.hpp"
 #include "firmware_like_app/commands/garment_form.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
 
 namespace app {
 namespace {
@@ -58,7 +59,7 @@ void print_fill(const core::FilledRegion& filled, const FillTimes& times, bool a
                            {"valences", valences},
                            {"alpha", filled.alpha},
                            {"ms", {{"topology", times.topology_ms}, {"solve", times.solve_ms}}}};
-    std::printf("%s\n", out.dump().c_str());
+    print_json(out);
 }
 
 core::Result<core::FilledRegion> fill(const FillOptions& options, FillTimes& times) {
@@ -80,11 +81,19 @@ core::Result<core::FilledRegion> fill(const FillOptions& options, FillTimes& tim
 }
 
 void run_fill(const FillOptions& options, CommandState& state) {
+    if (const auto named = check_ending(options.out, {"obj"}); !named) return fail_call(state, named.error());
     FillTimes times;
     const core::Result<core::FilledRegion> filled = fill(options, times);
     if (!filled) return fail(state, filled.error());
     if (const auto written = core::write_obj_file(options.out, filled->mesh); !written)
         return fail(state, written.error());
+    if (filled->alpha != options.alpha) {
+        std::fprintf(
+            stderr,
+            "croquis: %s: alpha %g was used in place of %g, with which the cloth folds over itself, swings far "
+            "out of its outline or is not determined\n",
+            options.region.c_str(), filled->alpha, options.alpha);
+    }
     print_fill(*filled, times, options.json);
 }
 
@@ -177,7 +186,7 @@ void print_garment(const core::Garment& garment, const std::vector<core::Texture
             layers.push_back(to_json(garment.layers[i], texture[i]));
         for (const core::DesignFault& fault : garment.faults)
             faults.push_back({{"step", fault.step}, {"why", fault.sentence}});
-        std::printf("%s\n", ordered_json{{"layers", layers}, {"faults", faults}, {"ms", ms}}.dump().c_str());
+        print_json(ordered_json{{"layers", layers}, {"faults", faults}, {"ms", ms}});
         return;
     }
     for (const core::FinishedLayer& layer : garment.layers)
@@ -188,9 +197,7 @@ void print_garment(const core::Garment& garment, const std::vector<core::Texture
 }
 
 void run_build(const BuildOptions& options, CommandState& state) {
-    const std::string extension = core::lower_extension(options.out);
-    if (extension != "obj" && extension != "glb")
-        return fail(state, {core::ErrorCode::BadArgument, "The garment can be written as .obj or .glb.", options.out});
+    if (const auto named = check_ending(options.out, {"obj", "glb"}); !named) return fail_call(state, named.error());
     const core::Result<core::Design> design = core::read_design(options.design);
     if (!design) return fail(state, design.error());
     const core::Result<core::DressForm> form = form_for(*design, options.body);

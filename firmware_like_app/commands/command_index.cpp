@@ -11,6 +11,7 @@
 #include "core/starter/starter_collection.hpp"
 #include "firmware_like_app/collection/index_builder.hpp"
 #include "firmware_like_app/commands/commands.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
 #include "firmware_like_app/commands/progress_bar.hpp"
 
 namespace app {
@@ -28,11 +29,6 @@ struct IndexOptions {
     bool json = false;
     bool graph = false;
 };
-
-/// File names may be of any bytes; what is no UTF-8 is replaced.
-void print_json(const ordered_json& object, int indent = -1) {
-    std::printf("%s\n", object.dump(indent, ' ', false, ordered_json::error_handler_t::replace).c_str());
-}
 
 std::stop_source& interruption() {
     static std::stop_source source;

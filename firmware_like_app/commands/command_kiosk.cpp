@@ -7,7 +7,10 @@
 #include "core/base/parallel.hpp"
 #include "core/exchange/file_bytes.hpp"
 #include "firmware_like_app/collection/kept_collection.hpp"
+#include "firmware_like_app/collection/picture_drawing.hpp"
+#include "firmware_like_app/collection/sketch_description.hpp"
 #include "firmware_like_app/commands/commands.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
 #include "firmware_like_app/kiosk/kiosk.hpp"
 #include "firmware_like_app/kiosk/settings.hpp"
 #include "input/formats/any_ink.hpp"
@@ -60,7 +63,19 @@ core::Result<std::optional<GarmentReplay>> read_garment(const std::string& file)
     return std::optional<GarmentReplay>(std::move(*replay));
 }
 
-/// Drawings only: a picture has no strokes to replay. Garments go to `garments`.
+/// Strokes as they were drawn, or those that go around what a picture shows.
+core::Result<core::Drawing> read_replay(const std::string& file) {
+    core::Result<core::Drawing> drawing = input::read_drawing_of_ink(file);
+    if (drawing || drawing.error().code != core::ErrorCode::UnknownFormat) return drawing;
+    const core::Result<core::Sketch> sketch = read_any_sketch(file);
+    if (!sketch) return core::unexpected(sketch.error());
+    if (!sketch->image) return drawing;
+    drawing = drawing_of_picture(*sketch->image);
+    if (!drawing) return core::unexpected(drawing.error().code, drawing.error().message, file);
+    return drawing;
+}
+
+/// Garments go to `garments`.
 core::Result<std::vector<NamedDrawing>> read_replays(const std::vector<std::string>& files,
                                                      std::vector<GarmentReplay>& garments) {
     std::vector<NamedDrawing> drawings;
@@ -71,7 +86,7 @@ core::Result<std::vector<NamedDrawing>> read_replays(const std::vector<std::stri
             garments.push_back(std::move(**garment));
             continue;
         }
-        core::Result<core::Drawing> drawing = input::read_drawing_of_ink(file);
+        core::Result<core::Drawing> drawing = read_replay(file);
         if (!drawing) return core::unexpected(drawing.error());
         drawings.push_back({file, std::move(*drawing)});
     }
@@ -89,6 +104,11 @@ std::unique_ptr<KeptCollection> open_collection(const Config& config) {
     const CollectionStatus status = collection->status();
     for (const std::string& problem : status.problems) std::fprintf(stderr, "croquis: %s\n", problem.c_str());
     return collection;
+}
+
+/// An index that was named and answers nothing; its sentence has been printed.
+bool is_at_fault(CollectionState state) {
+    return state == CollectionState::Missing || state == CollectionState::Damaged || state == CollectionState::Stale;
 }
 
 /// What a replay found, in words.
@@ -156,9 +176,6 @@ void print_report(const KioskReport& report, bool as_json, bool early) {
              {"design", r.design.string()},
              {"steps", r.steps},
              {"pieces", r.pieces},
-             {"design", r.design.string()},
-             {"steps", r.steps},
-             {"pieces", r.pieces},
              {"ms", {{"silhouette", r.silhouette_ms}, {"describe", r.describe_ms}, {"search", r.search_ms}}}});
     }
     if (early && !as_json) print_early(report);
@@ -168,15 +185,14 @@ void print_report(const KioskReport& report, bool as_json, bool early) {
                      {"renderer", report.renderer},
                      {"frame_ms", {{"median", report.median_frame_ms}, {"worst", report.worst_frame_ms}}}};
     if (early) out["end_among_first_ten"] = early_shares(report);
-    std::printf("%s\n", out.dump().c_str());
+    print_json(out);
 }
 
 void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) {
     const core::Result<Config> config = settings_of(options);
     if (!config) {
-        fail(state, config.error());
-        if (config.error().code == core::ErrorCode::BadArgument) state.exit_code = 2;
-        return;
+        const bool wrong_call = config.error().code == core::ErrorCode::BadArgument;
+        return wrong_call ? fail_call(state, config.error()) : fail(state, config.error());
     }
     KioskOptions kiosk;
     kiosk.config = *config;
@@ -201,9 +217,8 @@ void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) 
     const std::unique_ptr<KeptCollection> collection = open_collection(*config);
     const core::Result<KioskReport> report = run_kiosk(kiosk, *collection, std::move(*replays));
     if (!report) {
-        fail(state, report.error());
-        if (report.error().code == core::ErrorCode::BadArgument) state.exit_code = 2;
-        return;
+        const bool wrong_call = report.error().code == core::ErrorCode::BadArgument;
+        return wrong_call ? fail_call(state, report.error()) : fail(state, report.error());
     }
     print_report(*report, options.json, options.early);
     for (const ReplayReport& r : report->replays) {
@@ -211,6 +226,7 @@ void run_kiosk_command(const KioskCommandOptions& options, CommandState& state) 
         std::fprintf(stderr, "croquis: %s: %s\n", r.name.c_str(), r.failure.c_str());
         state.exit_code = 1;
     }
+    if (options.headless && is_at_fault(collection->status().state)) state.exit_code = 1;
     if (report->restart) state.exit_code = kRestart;
 }
 
@@ -241,8 +257,8 @@ void add_kiosk_command(Command cli, CommandState& state) {
         "controls for a left-handed visitor");
     command.flag("--headless", options->headless, "render without a screen; ends when the replays do");
     command.option("--replay", options->replays,
-                   "recorded drawings: traces, those of garments too, recordings of tablets, SVG, InkML, "
-                   "Quick-Draw lines, stroke lists");
+                   "drawings: traces, those of garments too, recordings of tablets, SVG, InkML, Quick-Draw lines, "
+                   "stroke lists, and pictures, around which a pen goes");
     command.option("--shots", options->shots, "folder for numbered pictures");
     command.flag("--early", options->early,
                  "headless: report how often the first result of the end is among ten at 40, 60 and 80 % of the ink");

@@ -13,6 +13,7 @@
 #include "core/mannequin/mannequin.hpp"
 #include "firmware_like_app/collection/stopwatch.hpp"
 #include "firmware_like_app/commands/commands.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
 
 namespace app {
 namespace {
@@ -76,7 +77,7 @@ void print(const core::Mannequin& body, double ms, bool as_json) {
                                {"faces", body.mesh.quads.size()},
                                {"closed", body.closed},
                                {"ms", ms}};
-        std::printf("%s\n", out.dump().c_str());
+        print_json(out);
         return;
     }
     const auto row = [](const char* kind, const core::ReachedMeasure& m) {
@@ -89,6 +90,7 @@ void print(const core::Mannequin& body, double ms, bool as_json) {
 }
 
 void run(const MannequinOptions& options, CommandState& state) {
+    if (const auto named = check_ending(options.out, {"obj"}); !named) return fail_call(state, named.error());
     const core::Result<core::BodyMeasures> measures = asked_measures(options);
     if (!measures) return fail(state, measures.error());
     const Stopwatch watch;

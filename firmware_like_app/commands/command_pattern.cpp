@@ -11,6 +11,7 @@
 #include "core/exchange/pattern_files.hpp"
 #include "firmware_like_app/collection/stopwatch.hpp"
 #include "firmware_like_app/commands/garment_form.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
 
 namespace app {
 namespace {
@@ -47,7 +48,7 @@ void print_pattern(const core::Pattern& pattern, const std::vector<std::string>&
                                {"files", files},
                                {"faults", faults},
                                {"ms", ms}};
-        std::printf("%s\n", out.dump().c_str());
+        print_json(out);
         return;
     }
     for (const core::PatternPiece& piece : pattern.pieces)

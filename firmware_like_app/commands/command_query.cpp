@@ -10,6 +10,7 @@
 #include "firmware_like_app/collection/sketch_description.hpp"
 #include "firmware_like_app/collection/stopwatch.hpp"
 #include "firmware_like_app/commands/commands.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
 #include "ui/draw/shape_picture.hpp"
 
 namespace app {
@@ -69,7 +70,7 @@ struct DescriptionTimes {
     }
 };
 
-void print_json(const Answer& answer, const Collection& collection, const DescriptionTimes& times) {
+void print_object(const Answer& answer, const Collection& collection, const DescriptionTimes& times) {
     ordered_json results = ordered_json::array();
     for (std::size_t k = 0; k < answer.ranked.size(); ++k) {
         const RankedModel& r = answer.ranked[k];
@@ -84,6 +85,7 @@ void print_json(const Answer& answer, const Collection& collection, const Descri
                            {"distance", r.distance},
                            {"view", r.view},
                            {"id", model.id},
+                           {"path", model.source_path},
                            {"mirrored", answer.matches[k].reversed},
                            {"reading", r.reading},
                            {"parts", parts}});
@@ -91,7 +93,7 @@ void print_json(const Answer& answer, const Collection& collection, const Descri
     const ordered_json out{
         {"results", results},
         {"ms", {{"silhouette", times.silhouette_ms}, {"describe", times.describe_ms}, {"search", answer.search_ms}}}};
-    std::printf("%s\n", out.dump().c_str());
+    print_json(out);
 }
 
 core::Result<void> draw(const Answer& answer, const Collection& collection, const std::vector<SketchDescription>& query,
@@ -132,7 +134,7 @@ void run_query(const QueryOptions& options, CommandState& state) {
         if (!written) return fail(state, written.error());
     }
     const DescriptionTimes times(*query);
-    if (options.json) return print_json(answer, *collection, times);
+    if (options.json) return print_object(answer, *collection, times);
     for (std::size_t k = 0; k < answer.ranked.size(); ++k) {
         const db::ModelRecord& model = collection->models()[answer.ranked[k].model].record;
         std::printf("%3zu  %-28s %-16s %8.3f\n", k + 1, model.name.c_str(), model.class_name.c_str(),
@@ -147,9 +149,12 @@ void run_query(const QueryOptions& options, CommandState& state) {
 void add_query_command(Command cli, CommandState& state) {
     auto options = std::make_shared<QueryOptions>();
     Command command = cli.command("query", "Rank the collection for one drawing");
-    command.option("SKETCH", options->sketch, "picture, SVG, InkML, Quick-Draw line or stroke list").required();
+    command
+        .option("SKETCH", options->sketch,
+                "picture, SVG, InkML, Quick-Draw line, stroke list, trace or a tablet's recording")
+        .required();
     command.option("--db", options->database, "the index").required();
-    command.option("--top", options->top, "results to give").positive();
+    command.option("--top", options->top, "results to give").positive().show_default();
     command.option("--jobs", options->jobs, "threads").range(1, kMostJobs);
     command.flag("--rerank", options->rerank,
                  "rank along the likeness of the models among themselves too; the first stays the first");

@@ -8,14 +8,10 @@
 #include "core/match/match.hpp"
 #include "firmware_like_app/collection/sketch_description.hpp"
 #include "firmware_like_app/commands/commands.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
 #include "ui/draw/shape_picture.hpp"
 
 namespace app {
-
-void fail(CommandState& state, const core::Error& error) {
-    std::fprintf(stderr, "croquis: %s\n", error.sentence().c_str());
-    state.exit_code = 1;
-}
 
 namespace {
 
@@ -25,10 +21,12 @@ constexpr std::array<const char*, core::kFeatureCount> kFeatureNames{"area",    
                                                                      "circularity", "rectangularity", "convexity",
                                                                      "solidity",    "bending_energy", "clr"};
 
-ordered_json to_json(const core::Part& part) {
+/// `number` is what a query and a match call the part.
+ordered_json to_json(std::size_t number, const core::Part& part) {
     ordered_json features;
     for (std::size_t k = 0; k < core::kFeatureCount; ++k) features[kFeatureNames[k]] = part.features[k];
-    return {{"first_terminal", part.first_terminal},
+    return {{"part", number},
+            {"first_terminal", part.first_terminal},
             {"terminals", part.terminal_count},
             {"from_sample", part.start_sample},
             {"to_sample", part.end_sample},
@@ -55,15 +53,16 @@ void print_description(const std::string& path, const core::DescribedShape& shap
                          {"stop_points", d.stop_points},
                          {"skeletal_length", d.skeletal_length},
                          {"parts", ordered_json::array()}};
-        for (const core::Part& part : d.parts) out["parts"].push_back(to_json(part));
-        std::printf("%s\n", out.dump().c_str());
+        for (std::size_t k = 0; k < d.parts.size(); ++k) out["parts"].push_back(to_json(k, d.parts[k]));
+        print_json(out);
         return;
     }
     std::printf("%s: %d terminals, %zu wings, %zu stop points, skeleton %.1f long\n", path.c_str(), d.terminal_count,
                 d.parts.size() - static_cast<std::size_t>(d.terminal_count), d.stop_points.size(), d.skeletal_length);
-    for (const core::Part& part : d.parts) {
+    for (std::size_t k = 0; k < d.parts.size(); ++k) {
+        const core::Part& part = d.parts[k];
         const bool wing = part.terminal_count > 1;
-        std::printf("  %s %2d", wing ? "wing    " : "terminal", part.first_terminal);
+        std::printf("  part %2zu: %s %2d", k, wing ? "wing    " : "terminal", part.first_terminal);
         if (wing) std::printf("+%d", part.terminal_count - 1);
         std::printf("\tarea %5.1f %%  perimeter %5.1f %%  eccentricity %5.2f  circularity %4.2f%s\n", part.features[0],
                     part.features[1], part.features[2], part.features[3], part.salient ? "  salient" : "");
@@ -102,7 +101,7 @@ void print_match(const core::Match& match, bool as_json) {
                                     {"d_be", p.d_be},
                                     {"d_a", p.d_a}});
         }
-        std::printf("%s\n", out.dump().c_str());
+        print_json(out);
         return;
     }
     std::printf("distance %.3f; parts cost %.3f, outlines differ by %.3f%s\n", match.distance, match.part_cost,
@@ -139,7 +138,10 @@ void run_match(const MatchOptions& options, CommandState& state) {
 void add_describe_command(Command cli, CommandState& state) {
     auto options = std::make_shared<DescribeOptions>();
     Command command = cli.command("describe", "The parts of one shape");
-    command.option("SHAPE", options->shape, "picture, SVG, InkML, Quick-Draw line or stroke list").required();
+    command
+        .option("SHAPE", options->shape,
+                "picture, SVG, InkML, Quick-Draw line, stroke list, trace or a tablet's recording")
+        .required();
     command.flag("--json", options->json, "one JSON object on standard output");
     command.option("--picture", options->picture, "write a PNG of every step");
     command.runs([options, &state] { run_describe(*options, state); });

@@ -12,6 +12,7 @@
 #include "firmware_like_app/commands/commands.hpp"
 #include "firmware_like_app/commands/live_tablets.hpp"
 #include "firmware_like_app/commands/pen_json.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
 #include "input/formats/decode_capture.hpp"
 #include "input/formats/text_lines.hpp"
 #include "input/sources/tablet_hub.hpp"
@@ -80,9 +81,7 @@ void run_list(const TabletOptions& options, CommandState& state) {
         }
     }
     if (options.json) {
-        std::printf(
-            "%s\n",
-            ordered_json{{"tablets", tablets}}.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
+        print_json(ordered_json{{"tablets", tablets}});
     } else if (tablets.empty()) {
         std::printf("no tablet is attached\n");
     }
@@ -175,9 +174,7 @@ void run_monitor(const TabletOptions& options, CommandState& state) {
     input::DeviceNumbers numbers;
     core::Result<std::unique_ptr<input::PenSource>> source = open_tablets(options.by, numbers);
     if (!source) {
-        fail(state, source.error());
-        state.exit_code = 2;
-        return;
+        return fail_call(state, source.error());
     }
     std::map<std::uint32_t, Watched> tablets;
     std::map<std::uint32_t, std::optional<int>> batteries;
@@ -215,10 +212,7 @@ void run_monitor(const TabletOptions& options, CommandState& state) {
         }
         return true;
     });
-    if (options.json)
-        std::printf("%s\n", monitor_json(tablets, (*source)->lost())
-                                .dump(-1, ' ', false, ordered_json::error_handler_t::replace)
-                                .c_str());
+    if (options.json) print_json(monitor_json(tablets, (*source)->lost()));
     if (tablets.empty()) {
         fail(state,
              {core::ErrorCode::FileMissing, "no tablet is attached; plug one in, and see croquis tablet list", ""});
@@ -248,7 +242,7 @@ void decode_descriptor(const TabletOptions& options, const std::string& text, Co
                                {"parser", "descriptor"},
                                {"descriptor", j},
                                {"samples", ordered_json::array()}};
-        std::printf("%s\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
+        print_json(out);
         return;
     }
     std::printf("%zu bytes, %zu pens\n", bytes.size(), j["pens"].size());
@@ -297,7 +291,7 @@ void print_decoded(const TabletOptions& options, const Decoded& d) {
         if (d.ranges_from_recording) out["ranges"] = "from the recording";
         out["rate_hz"] = input::report_rate_hz(d.samples);
         out["samples"] = samples_json(d.samples);
-        std::printf("%s\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
+        print_json(out);
         return;
     }
     std::printf("%s %s, parser %s, %zu samples, %.0f Hz%s\n", d.device.name.c_str(),
@@ -334,9 +328,7 @@ void run_decode(const TabletOptions& options, CommandState& state) {
     if (!capture) return fail(state, capture.error());
     input::Surroundings around = input::find_surroundings(options.file);
     if (const std::string fault = override_surroundings(options, around); !fault.empty()) {
-        fail(state, {core::ErrorCode::BadArgument, fault, ""});
-        state.exit_code = 2;
-        return;
+        return fail_call(state, {core::ErrorCode::BadArgument, fault, ""});
     }
     const input::DecodedCapture decoded = input::decode_capture(*capture, around);
     if (decoded.why_none) return fail(state, {core::ErrorCode::BadFormat, *decoded.why_none, options.file});

@@ -10,6 +10,7 @@
 #include "firmware_like_app/commands/commands.hpp"
 #include "firmware_like_app/commands/live_tablets.hpp"
 #include "firmware_like_app/commands/pen_json.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
 #include "input/formats/any_ink.hpp"
 #include "input/formats/decode_capture.hpp"
 #include "input/formats/ink_writers.hpp"
@@ -67,9 +68,9 @@ void run_info(const TraceOptions& options, CommandState& state) {
         const auto* d = std::get_if<input::TraceDevice>(&r);
         if (d == nullptr) continue;
         if (!options.json) {
-            std::printf("device %u: %s %s, by %s, parser %s\n", d->number, d->identity.name.c_str(),
-                        d->identity.known() ? input::vendor_product(d->identity).c_str() : "", d->source.c_str(),
-                        d->parser.c_str());
+            const std::string id = d->identity.known() ? " " + input::vendor_product(d->identity) : std::string();
+            std::printf("device %u: %s%s, by %s, parser %s\n", d->number, d->identity.name.c_str(), id.c_str(),
+                        d->source.c_str(), d->parser.c_str());
         }
         devices.push_back({{"number", d->number},
                            {"identity", identity_json(d->identity)},
@@ -93,7 +94,7 @@ void run_info(const TraceOptions& options, CommandState& state) {
                                {"strokes", strokes},
                                {"differing", input::decode_trace(trace).differing},
                                {"damaged", trace.fault_count}};
-        std::printf("%s\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
+        print_json(out);
     } else {
         std::printf("%s: %zu reports, %zu frames, %zu samples, %zu strokes in %.1f s, %.0f samples a second\n",
                     ink->format.c_str(), counts.reports, counts.frames, counts.samples, strokes, duration_ms / 1000,
@@ -119,9 +120,7 @@ void run_convert(const TraceOptions& options, CommandState& state) {
     const std::vector<input::PenStroke> strokes = input::strokes_of(input::decode_trace(ink->trace).samples);
     const core::Result<std::string> text = text_for(options.out, ink->trace, strokes);
     if (!text) {
-        fail(state, text.error());
-        state.exit_code = 2;
-        return;
+        return fail_call(state, text.error());
     }
     if (core::lower_extension(options.out) != "trace" && input::drawing_of(strokes).empty()) {
         return fail(state, {core::ErrorCode::EmptyDrawing, "no pen draws in this", options.file});
@@ -129,7 +128,7 @@ void run_convert(const TraceOptions& options, CommandState& state) {
     if (const auto written = input::write_whole_file(options.out, *text); !written) return fail(state, written.error());
     if (options.json) {
         const ordered_json out{{"from", ink->format}, {"out", options.out}, {"strokes", strokes.size()}};
-        std::printf("%s\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
+        print_json(out);
     } else {
         std::printf("%s: %zu strokes\n", options.out.c_str(), strokes.size());
     }
@@ -166,7 +165,7 @@ void run_replay(const TraceOptions& options, CommandState& state) {
     const std::vector<input::PenStroke> strokes = replay(ink->trace, options);
     if (options.json) {
         const ordered_json out{{"format", ink->format}, {"strokes", strokes_json(strokes)}};
-        std::printf("%s\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
+        print_json(out);
     } else if (strokes.empty()) {
         std::printf("no strokes\n");
     }
@@ -177,9 +176,7 @@ void run_record(const TraceOptions& options, CommandState& state) {
     input::DeviceNumbers numbers;
     core::Result<std::unique_ptr<input::PenSource>> source = open_tablets(options.by, numbers);
     if (!source) {
-        fail(state, source.error());
-        state.exit_code = 2;
-        return;
+        return fail_call(state, source.error());
     }
     core::Result<std::unique_ptr<input::TraceRecorder>> recorder = input::TraceRecorder::create(options.out);
     if (!recorder) return fail(state, recorder.error());
@@ -198,7 +195,7 @@ void run_record(const TraceOptions& options, CommandState& state) {
     recorder->reset();
     if (options.json) {
         const ordered_json out{{"out", options.out}, {"tablets", devices}, {"samples", samples}, {"lost", lost}};
-        std::printf("%s\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
+        print_json(out);
     } else {
         std::printf("%s: %zu tablets, %zu samples, %llu lost\n", options.out.c_str(), devices, samples,
                     static_cast<unsigned long long>(lost));

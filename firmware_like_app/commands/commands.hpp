@@ -3,8 +3,9 @@
 // 0 success, 1 the input or the data is at fault, 2 a wrong call.
 
 #include <string>
+#include <vector>
 
-#include "core/base/error.hpp"
+#include "core/base/result.hpp"
 #include "firmware_like_app/commands/command_line.hpp"
 
 namespace app {
@@ -32,5 +33,10 @@ void add_doctor_command(Command cli, CommandState& state);
 
 /// One sentence on standard error, exit code 1.
 void fail(CommandState& state, const core::Error& error);
+/// The same for a call that nothing can answer: exit code 2.
+void fail_call(CommandState& state, const core::Error& error);
+
+/// BadArgument where the name of a file to write does not end in one of these, given without dot in small letters.
+[[nodiscard]] core::Result<void> check_ending(const std::string& path, const std::vector<std::string>& endings);
 
 }  // namespace app

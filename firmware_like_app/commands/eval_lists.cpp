@@ -1,8 +1,10 @@
 #include "firmware_like_app/commands/eval_lists.hpp"
 
 #include <cstdio>
+#include <mutex>
 
 #include "firmware_like_app/collection/sketch_description.hpp"
+#include "firmware_like_app/commands/progress_bar.hpp"
 
 namespace app {
 
@@ -12,15 +14,19 @@ core::Result<core::LabelledList> read_list(const EvalOptions& options) {
     core::Result<core::LabelledList> list = core::read_list_file(options.list, files);
     if (!list) return core::unexpected(list.error());
     if (list->files.empty()) {
-        return core::unexpected(core::ErrorCode::FileMissing, "none of the files that it names is there; check --files",
-                                options.list);
+        return core::unexpected(
+            core::ErrorCode::FileMissing,
+            list->missing.empty() ? "the list names no file; give one path<TAB>class a line"
+                                  : "none of the files that it names is there; check the paths, which are relative to "
+                                    "the list, or --files",
+            options.list);
     }
     for (const core::LabelledFile& missing : list->missing) {
         if (list->missing.size() > 20) break;
-        std::fprintf(stderr, "croquis: %s: listed but not there\n", missing.path.c_str());
+        std::fprintf(stderr, "croquis: %s: listed but not there; it is left out\n", missing.path.c_str());
     }
     if (list->missing.size() > 20)
-        std::fprintf(stderr, "croquis: %zu listed files are not there\n", list->missing.size());
+        std::fprintf(stderr, "croquis: %zu listed files are not there; they are left out\n", list->missing.size());
     return list;
 }
 
@@ -31,7 +37,16 @@ template <typename Described, typename Describe>
 std::vector<Described> describe_all(const std::vector<core::LabelledFile>& files, int jobs, const Describe& describe,
                                     std::vector<std::string>& classes, std::vector<std::string>& failures) {
     std::vector<std::optional<core::Result<Described>>> found(files.size());
-    core::parallel_for(files.size(), jobs, [&](std::size_t i, int) { found[i].emplace(describe(files[i].path)); });
+    {
+        ProgressBar bar("described");
+        std::mutex bar_mutex;
+        std::size_t done = 0;
+        core::parallel_for(files.size(), jobs, [&](std::size_t i, int) {
+            found[i].emplace(describe(files[i].path));
+            const std::lock_guard lock(bar_mutex);
+            bar.show(++done, files.size());
+        });
+    }
     std::vector<Described> out;
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (!*found[i]) {

@@ -10,6 +10,7 @@
 #include "core/rerank/set_rerank.hpp"
 #include "firmware_like_app/collection/stopwatch.hpp"
 #include "firmware_like_app/commands/eval_lists.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
 #include "firmware_like_app/commands/progress_bar.hpp"
 
 namespace app {
@@ -102,7 +103,8 @@ Row test(const std::string& name, const std::vector<float>& distances, const std
     return out;
 }
 
-void print_json(const std::vector<Row>& rows, const std::map<std::string, int>& sizes, std::size_t models, double ms) {
+void print_object(const std::vector<Row>& rows, const std::map<std::string, int>& sizes, std::size_t models,
+                  double ms) {
     ordered_json means, over_classes, classes;
     for (const auto& [name, size] : sizes) classes[name]["models"] = size;
     for (const Row& row : rows) {
@@ -112,7 +114,7 @@ void print_json(const std::vector<Row>& rows, const std::map<std::string, int>& 
     }
     const ordered_json out{
         {"models", models}, {"rows", means}, {"mean_over_classes", over_classes}, {"by_class", classes}, {"ms", ms}};
-    std::printf("%s\n", out.dump().c_str());
+    print_json(out);
 }
 
 void print_table(const std::vector<Row>& rows, const std::map<std::string, int>& sizes, std::size_t models, double ms) {
@@ -145,7 +147,7 @@ void run_eval_models(const EvalOptions& options, CommandState& state) {
     const std::vector<Row> rows{
         test("parts", distances.parts, classes), test("fused", distances.fused, classes),
         test("reranked", core::reranked_distances(distances.fused, classes.size(), options.jobs), classes)};
-    if (options.json) return print_json(rows, sizes, classes.size(), watch.ms());
+    if (options.json) return print_object(rows, sizes, classes.size(), watch.ms());
     print_table(rows, sizes, classes.size(), watch.ms());
 }
 

@@ -1,6 +1,7 @@
 // croquis eval shapes: every shape of a list queries the others.
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <map>
 #include <random>
@@ -8,6 +9,8 @@
 #include "core/rerank/set_rerank.hpp"
 #include "firmware_like_app/collection/stopwatch.hpp"
 #include "firmware_like_app/commands/eval_lists.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
+#include "firmware_like_app/commands/progress_bar.hpp"
 
 namespace app {
 
@@ -46,25 +49,32 @@ ReadingDistances all_distances(const std::vector<core::ComparableShape>& shapes,
                                int jobs) {
     const std::size_t n = shapes.size();
     std::vector<core::FusedMatcher> matchers(static_cast<std::size_t>(jobs));
-    const auto fill = [&](Square& square, const auto& distance) {
+    const auto fill = [&](Square& square, const char* what, const auto& distance) {
         square.resize(n * n);
+        ProgressBar bar(what);
+        std::atomic<std::size_t> done{0};
         const Stopwatch watch;
         core::parallel_for(n, jobs, [&](std::size_t i, int worker) {
             core::FusedMatcher& matcher = matchers[static_cast<std::size_t>(worker)];
             for (std::size_t j = 0; j < n; ++j) {
                 square[order[i] * n + order[j]] = static_cast<float>(distance(matcher, i, j));
             }
+            ++done;
+            if (worker == 0) bar.show(done, n);
         });
-        return watch.ms() * 1000.0 * jobs / static_cast<double>(n * n);
+        const double ms = watch.ms();
+        bar.show(n, n);
+        return ms * 1000.0 * jobs / static_cast<double>(n * n);
     };
     ReadingDistances out;
     Square contour;
-    out.parts_us = fill(out.parts, [&](core::FusedMatcher& matcher, std::size_t i, std::size_t j) {
+    out.parts_us = fill(out.parts, "compared by parts", [&](core::FusedMatcher& matcher, std::size_t i, std::size_t j) {
         return matcher.parts().distance(shapes[i].parts, shapes[j].parts);
     });
-    const double contour_us = fill(contour, [&](core::FusedMatcher& matcher, std::size_t i, std::size_t j) {
-        return matcher.contour().distance(shapes[i].contour, shapes[j].contour);
-    });
+    const double contour_us =
+        fill(contour, "compared by contours", [&](core::FusedMatcher& matcher, std::size_t i, std::size_t j) {
+            return matcher.contour().distance(shapes[i].contour, shapes[j].contour);
+        });
     out.fused_us = out.parts_us + contour_us;
     out.fused.resize(n * n);
     for (std::size_t k = 0; k < n * n; ++k) {
@@ -83,13 +93,16 @@ void print_tests(const std::vector<NamedTest>& rows, std::size_t n, int ranks, c
     if (as_json) {
         ordered_json json;
         for (const auto& [name, test] : rows) {
-            json[name] = {{"hits_by_rank", test.hits_by_rank}, {"total", test.total}, {"bullseye", test.bullseye}};
+            json[name] = {{"hits_by_rank", test.hits_by_rank},
+                          {"total", test.total},
+                          {"bullseye", test.bullseye},
+                          {"ties", test.ties}};
         }
         const ordered_json out{{"queries", n},
                                {"rows", json},
                                {"us_per_pair", {{"parts", distances.parts_us}, {"fused", distances.fused_us}}},
                                {"ms_per_query", ms_per_query}};
-        std::printf("%s\n", out.dump().c_str());
+        print_json(out);
         return;
     }
     std::printf("%zu shapes; a pair takes %.1f us by parts, %.1f us fused\n", n, distances.parts_us,
@@ -98,6 +111,7 @@ void print_tests(const std::vector<NamedTest>& rows, std::size_t n, int ranks, c
         std::printf("%-9s %6.2f %% of the class in the nearest %d, bull's-eye %6.2f %%; hits by rank:", name,
                     100.0 * test.total, ranks, 100.0 * test.bullseye);
         for (const int hits : test.hits_by_rank) std::printf(" %d", hits);
+        if (test.ties > 0) std::printf("; %d queries with ties, ordered by place in the list", test.ties);
         std::printf("\n");
     }
 }

@@ -3,16 +3,28 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <set>
 
 #include "core/rerank/query_rerank.hpp"
+#include "firmware_like_app/collection/likeness_lists.hpp"
 #include "firmware_like_app/collection/stopwatch.hpp"
 #include "firmware_like_app/commands/eval_lists.hpp"
+#include "firmware_like_app/commands/print_json.hpp"
+#include "firmware_like_app/commands/progress_bar.hpp"
 
 namespace app {
 
 namespace {
 
 using nlohmann::ordered_json;
+
+/// Of the index, or measured now where it has none.
+core::NearestLists likeness_of(const Collection& collection, int jobs) {
+    if (collection.likeness()) return *collection.likeness();
+    ProgressBar bar("models compared");
+    return measured_likeness(collection.models(), jobs,
+                             [&](std::size_t done, std::size_t total) { bar.show(done, total); });
+}
 
 /// One way to rank: its metrics, drawing by drawing.
 struct Row {
@@ -23,19 +35,31 @@ struct Row {
 class SketchTest {
   public:
     SketchTest(const DescribedSketches& queries, const Collection& collection, int jobs)
-        : queries_(queries), collection_(collection), jobs_(jobs) {
+        : queries_(queries),
+          collection_(collection),
+          jobs_(jobs),
+          reranker_(core::neighbour_graph(likeness_of(collection, jobs)), jobs) {
         for (const CollectionModel& m : collection.models()) ++class_size_[m.record.class_name];
-        if (collection.likeness()) reranker_.emplace(core::neighbour_graph(*collection.likeness()), jobs);
+    }
+
+    /// Drawings of these classes count as finding nothing.
+    [[nodiscard]] std::set<std::string> classes_without_models() const {
+        std::set<std::string> lacking;
+        for (const std::string& name : queries_.classes) {
+            if (class_size_.count(name) == 0) lacking.insert(name);
+        }
+        return lacking;
     }
 
     std::vector<Row> run() const {
-        std::vector<Row> rows{{"parts", {}}, {"fused", {}}};
-        if (reranker_) rows.push_back({"reranked", {}});
+        std::vector<Row> rows{{"parts", {}}, {"fused", {}}, {"reranked", {}}};
+        ProgressBar bar("drawings ranked");
         for (std::size_t q = 0; q < queries_.sketches.size(); ++q) {
             const BothRankings ranked = collection_.rank_both_ways(queries_.sketches[q], jobs_);
             rows[0].metrics.push_back(metrics_of(q, ranked.by_parts));
             rows[1].metrics.push_back(metrics_of(q, ranked.fused));
-            if (reranker_) rows[2].metrics.push_back(metrics_of(q, reranked(*reranker_, ranked.fused)));
+            rows[2].metrics.push_back(metrics_of(q, reranked(reranker_, ranked.fused)));
+            bar.show(q + 1, queries_.sketches.size());
         }
         return rows;
     }
@@ -44,10 +68,12 @@ class SketchTest {
     [[nodiscard]] std::vector<double> times_ms() const {
         constexpr std::size_t kCards = 10;
         std::vector<double> ms;
+        ProgressBar bar("drawings timed");
         for (const std::vector<core::ComparableShape>& query : queries_.sketches) {
             const Stopwatch watch;
             (void)collection_.nearest(query, kCards, jobs_);
             ms.push_back(watch.ms());
+            bar.show(ms.size(), queries_.sketches.size());
         }
         return ms;
     }
@@ -68,7 +94,7 @@ class SketchTest {
     const Collection& collection_;
     int jobs_;
     std::map<std::string, int> class_size_;
-    std::optional<core::QueryReranker> reranker_;
+    core::QueryReranker reranker_;
 };
 
 std::map<std::string, core::RetrievalMetrics> means_by_class(const DescribedSketches& queries, const Row& row) {
@@ -111,7 +137,7 @@ struct Report {
     std::vector<double> ms;
 };
 
-void print_json(const Report& report) {
+void print_object(const Report& report) {
     const std::string without = largest_class(report.collection);
     ordered_json rows, classes, others;
     for (const Row& row : report.rows) {
@@ -130,7 +156,7 @@ void print_json(const Report& report) {
                              {"p95", percentile(report.ms, 0.95)},
                              {"p99", percentile(report.ms, 0.99)},
                              {"max", percentile(report.ms, 1.0)}}}};
-    std::printf("%s\n", out.dump().c_str());
+    print_json(out);
 }
 
 void print_table(const Report& report) {
@@ -161,8 +187,12 @@ void run_eval_sketches(const EvalOptions& options, CommandState& state) {
     const DescribedSketches queries = describe_sketches(list->files, options.jobs);
     if (!queries.failures.empty()) state.exit_code = 1;
     const SketchTest test(queries, *collection, options.jobs);
+    if (const std::set<std::string> lacking = test.classes_without_models(); !lacking.empty()) {
+        std::fprintf(stderr, "croquis: %s: drawings of %zu classes, \"%s\" the first, can find no model of theirs\n",
+                     options.database.c_str(), lacking.size(), lacking.begin()->c_str());
+    }
     const Report report{queries, *collection, test.run(), test.times_ms()};
-    if (options.json) return print_json(report);
+    if (options.json) return print_object(report);
     print_table(report);
 }
 

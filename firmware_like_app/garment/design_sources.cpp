@@ -12,19 +12,17 @@
 namespace app {
 namespace {
 
-/// The collection's list, read once.
+/// The collection's list, read again when a model is asked for that it does not name: models are added meanwhile.
 class IndexedModels {
   public:
     explicit IndexedModels(std::string path) : path_(std::move(path)) {}
 
     core::Result<core::TriangleMesh> mesh(const std::string& model) {
-        if (const core::Result<void> opened = open(); !opened) return core::unexpected(opened.error());
-        const auto by = [&](auto member) {
-            return std::find_if(entries_.begin(), entries_.end(),
-                                [&](const db::ModelEntry& entry) { return entry.*member == model; });
-        };
-        auto found = by(&db::ModelEntry::source_path);
-        if (found == entries_.end()) found = by(&db::ModelEntry::name);
+        auto found = find(model);
+        if (found == entries_.end()) {
+            if (const core::Result<void> read = read_list(); !read) return core::unexpected(read.error());
+            found = find(model);
+        }
         if (found == entries_.end())
             return core::unexpected(core::ErrorCode::FileMissing,
                                     "the model \"" + model + "\" is not in the collection", path_);
@@ -32,21 +30,33 @@ class IndexedModels {
     }
 
   private:
-    core::Result<void> open() {
-        if (index_) return {};
+    using Entries = std::vector<db::ModelEntry>;
+
+    [[nodiscard]] Entries::const_iterator find(const std::string& model) const {
+        const auto by = [&](auto member) {
+            return std::find_if(entries_.begin(), entries_.end(),
+                                [&](const db::ModelEntry& entry) { return entry.*member == model; });
+        };
+        const auto found = by(&db::ModelEntry::source_path);
+        return found != entries_.end() ? found : by(&db::ModelEntry::name);
+    }
+
+    /// The file is opened anew: another may have taken its place.
+    core::Result<void> read_list() {
         if (path_.empty()) return core::unexpected(core::ErrorCode::FileMissing, "there is no collection");
         core::Result<db::TwoViewIndex> index = db::TwoViewIndex::open(path_, db::OpenMode::ReadOnly);
         if (!index) return core::unexpected(index.error());
-        core::Result<std::vector<db::ModelEntry>> entries = index->list();
+        core::Result<Entries> entries = index->list();
         if (!entries) return core::unexpected(entries.error());
         entries_ = std::move(*entries);
+        index_.reset();
         index_.emplace(std::move(*index));
         return {};
     }
 
     std::string path_;
     std::optional<db::TwoViewIndex> index_;
-    std::vector<db::ModelEntry> entries_;
+    Entries entries_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "firmware_like_app/garment/exporter.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "core/exchange/design_file.hpp"
@@ -131,13 +132,23 @@ class Export {
 }  // namespace
 
 ExportState run_export(const ExportJob& job, const Report& report, const std::stop_token& stop) {
-    return Export(job, report, stop).run();
+    try {
+        return Export(job, report, stop).run();
+    } catch (const std::exception& error) {  // out of memory and the like
+        ExportState failed;
+        failed.stage = Stage::Failed;
+        failed.fault = {ExportFault::Kind::Failed,
+                        {core::ErrorCode::Internal, std::string("the export was given up (") + error.what() + ")", {}}};
+        if (report) report(failed);
+        return failed;
+    }
 }
 
 bool Exporter::start(ExportJob job) {
     if (is_running()) return false;
     if (thread_.joinable()) thread_.join();
     state_ = {.stage = Stage::Dressing};  // no thread runs that could look
+    forgotten_ = false;
     const auto keep = [this](const ExportState& state) {
         const std::lock_guard lock(mutex_);
         state_ = state;
@@ -147,13 +158,19 @@ bool Exporter::start(ExportJob job) {
     return true;
 }
 
-ExportState Exporter::state() const {
+ExportState Exporter::whole_state() const {
     const std::lock_guard lock(mutex_);
     return state_;
 }
 
+ExportState Exporter::state() const {
+    const ExportState now = whole_state();
+    if (!forgotten_) return now;
+    return is_running() ? ExportState{.stage = now.stage, .share = now.share} : ExportState{};
+}
+
 bool Exporter::is_running() const {
-    const Stage stage = state().stage;
+    const Stage stage = whole_state().stage;
     return stage == Stage::Dressing || stage == Stage::Pictures || stage == Stage::Writing;
 }
 

@@ -32,7 +32,7 @@ struct ExportState {
     std::vector<std::string> warnings = {};  ///< what could not be made and is missing
 };
 
-/// All of it on the calling thread. `report` is called with each change.
+/// All of it on the calling thread. `report` is called with each change. What runs out of memory has failed.
 [[nodiscard]] ExportState run_export(const ExportJob& job, const std::function<void(const ExportState&)>& report,
                                      const std::stop_token& stop);
 
@@ -47,13 +47,18 @@ class Exporter {
     /// False, and nothing happens, while another export runs.
     bool start(ExportJob job);
     void cancel() { thread_.request_stop(); }
+    /// Whoever wanted it has left: what ended is told no more, of what runs only that it does. Its files are written
+    /// all the same.
+    void forget() { forgotten_ = true; }
     [[nodiscard]] ExportState state() const;
     [[nodiscard]] bool is_running() const;
 
   private:
+    [[nodiscard]] ExportState whole_state() const;
     mutable std::mutex mutex_;
     ExportState state_;
-    std::jthread thread_;  // last: ends before the rest goes
+    bool forgotten_ = false;  // only the caller's thread touches it
+    std::jthread thread_;     // last: ends before the rest goes
 };
 
 }  // namespace app

@@ -33,7 +33,11 @@ std::int64_t clock_us(const GalleryOptions& options) {
 
 GalleryDesk::GalleryDesk(const ui::FontSet& fonts, const std::vector<ui::Strings>& languages,
                          std::filesystem::path file, GalleryOptions options)
-    : languages_(languages), screen_(fonts, languages), file_(std::move(file)), options_(std::move(options)) {}
+    : languages_(languages),
+      screen_(fonts, languages),
+      file_(std::move(file)),
+      options_(std::move(options)),
+      next_picture_(options_.first_picture) {}
 
 bool GalleryDesk::ready() {
     if (store_) return true;
@@ -54,6 +58,8 @@ void GalleryDesk::open(std::int64_t open_id, std::size_t language, ui::Hand hand
     state_.bin_days = options_.bin_days;
     open_id_ = open_id;
     deleted_id_ = renamed_id_ = 0;
+    shown_.clear();
+    pictures_.clear();
     if (!ready()) return;
     static_cast<void>(store_->purge(options_.bin_days));  // what cannot be written now goes another time
     refresh();
@@ -70,19 +76,50 @@ void GalleryDesk::refresh() {
     }
     entries_ = std::move(*entries);
     const std::int64_t now = clock_us(options_);
-    for (const db::DesignEntry& entry : entries_) {
-        ui::GalleryCard card{entry.name,
-                             date_words(entry.deleted_us.value_or(entry.changed_us), now, words()),
-                             {},
-                             entry.id == open_id_};
-        const auto png = store_->thumbnail(entry.id);
-        if (png && !png->empty())
-            if (core::Result<core::RgbaImage> image = core::decode_rgba_image(*png)) {
-                card.picture = ui::PictureId{options_.first_picture + static_cast<int>(state_.cards.size())};
-                pictures_.emplace_back(*card.picture, std::move(*image));
-            }
-        state_.cards.push_back(std::move(card));
+    for (const db::DesignEntry& entry : entries_)
+        state_.cards.push_back({entry.name,
+                                date_words(entry.deleted_us.value_or(entry.changed_us), now, words()),
+                                {},
+                                entry.id == open_id_});
+    show_pictures();
+}
+
+void GalleryDesk::show_pictures() {
+    for (std::size_t i = 0; i < state_.cards.size(); ++i) {
+        const auto known = shown_.find(entries_[i].id);
+        state_.cards[i].picture = known != shown_.end() ? known->second : std::nullopt;
     }
+}
+
+std::optional<ui::PictureId> GalleryDesk::read_picture(std::int64_t design) {
+    const core::Result<std::vector<std::byte>> png = store_->thumbnail(design);
+    if (!png || png->empty()) return std::nullopt;
+    core::Result<core::RgbaImage> image = core::decode_rgba_image(*png);
+    if (!image) return std::nullopt;
+    const ui::PictureId picture{next_picture_++};
+    pictures_.emplace_back(picture, std::move(*image));
+    return picture;
+}
+
+void GalleryDesk::look(ui::SizePx screen, std::size_t most) {
+    if (!store_) return;
+    decltype(shown_) seen;
+    for (const std::size_t i : page(screen, std::nullopt).seen) {
+        const std::int64_t design = entries_[i].id;
+        if (const auto known = shown_.find(design); known != shown_.end()) {
+            seen.insert(*known);
+        } else if (most > 0) {
+            seen.emplace(design, read_picture(design));
+            --most;
+        }
+    }
+    if (seen == shown_) return;
+    shown_ = std::move(seen);
+    show_pictures();
+}
+
+bool GalleryDesk::shows(ui::PictureId picture) const {
+    return std::any_of(shown_.begin(), shown_.end(), [&](const auto& shown) { return shown.second == picture; });
 }
 
 std::vector<std::pair<ui::PictureId, core::RgbaImage>> GalleryDesk::take_pictures() {

@@ -4,6 +4,7 @@
 // touch, while nobody draws.
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,7 +18,7 @@ namespace app {
 
 struct GalleryOptions {
     int bin_days = 30;
-    int first_picture = 400;  ///< numbers of the cards' pictures begin here
+    int first_picture = 400;  ///< numbers of the cards' pictures begin here and are given once
     std::int64_t undo_us = 8'000'000;
     db::DesignStoreOptions store = {};
 };
@@ -48,16 +49,23 @@ class GalleryDesk {
     void scroll(double by, ui::SizePx screen);
     /// Ends what is shown for a time.
     void update(std::int64_t now_us);
+    /// Reads the pictures of cards that are on the screen, `most` of them, some milliseconds each, and lets go of those
+    /// of cards that are there no more: a gallery of thousands opens as quickly as one of a few, and holds no more.
+    void look(ui::SizePx screen, std::size_t most);
+    /// Whether a card shows the picture of that number.
+    [[nodiscard]] bool shows(ui::PictureId picture) const;
 
     [[nodiscard]] ui::GalleryPage page(ui::SizePx screen, std::optional<std::size_t> pressed) const;
     [[nodiscard]] const ui::GalleryState& state() const { return state_; }
 
-    /// Pictures that cards show and that were not taken yet.
+    /// Pictures that look() has read and that were not taken yet.
     [[nodiscard]] std::vector<std::pair<ui::PictureId, core::RgbaImage>> take_pictures();
 
   private:
     [[nodiscard]] bool ready();
     void refresh();
+    void show_pictures();
+    [[nodiscard]] std::optional<ui::PictureId> read_picture(std::int64_t design);
     void tell(const core::Error& error, std::int64_t now_us);
     template <typename T>
     bool did(const core::Result<T>& result, std::int64_t now_us);
@@ -76,6 +84,8 @@ class GalleryDesk {
     std::int64_t open_id_ = 0, deleted_id_ = 0, renamed_id_ = 0, shown_until_us_ = 0;
     std::optional<std::string> new_name_;
     std::vector<std::pair<ui::PictureId, core::RgbaImage>> pictures_;
+    std::map<std::int64_t, std::optional<ui::PictureId>> shown_;  // by design; nothing: it has none that can be read
+    int next_picture_ = 0;
 };
 
 }  // namespace app

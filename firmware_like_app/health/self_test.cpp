@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 #include "db/stores/two_view_index.hpp"
@@ -138,6 +139,41 @@ std::vector<Check> check_station(const Config& config, const std::string& config
 
 std::vector<Check> check_machine() {
     return {check_screen(), check_graphics(), check_tablets()};
+}
+
+Check check_permissions(const Config& config, const std::string& config_file) {
+    std::string good;
+    std::optional<Check> fault;
+    const auto look = [&](const fs::path& place, int mode, const char* may, const char* advice) {
+        std::error_code error;
+        if (fault || place.empty() || !fs::exists(place, error)) return;
+        if (access(place.c_str(), mode) == 0) {
+            good += (good.empty() ? "" : "; ") + place.string() + " may be " + may;
+        } else {
+            fault = Check{"permissions", false, place.string() + " may not be " + may + " by this user", advice};
+        }
+    };
+    const char* const kRead = "give this user the right to read it";
+    const char* const kWrite = "give this user the right to write there";
+    const auto folder_of = [](const std::string& file) {
+        return file.empty() ? fs::path() : fs::absolute(file).parent_path();
+    };
+    look("/dev/dri/renderD128", R_OK | W_OK, "used", "add the user to the groups video and render");
+    look(config_file, R_OK, "read", kRead);
+    look(folder_of(config_file), W_OK, "written", kWrite);
+    look(config.collection.database, R_OK, "read", kRead);
+    if (!config.collection.models.empty()) {  // what is new there is written into the index
+        look(config.collection.database, W_OK, "written", kWrite);
+        look(folder_of(config.collection.database), W_OK, "written", kWrite);
+        look(config.collection.models, R_OK | X_OK, "read", kRead);
+    }
+    look(config.garment.designs, R_OK | W_OK, "read and written", kWrite);
+    look(folder_of(config.garment.designs), W_OK, "written", kWrite);
+    look(config.garment.export_to, W_OK, "written", kWrite);
+    look(config.record.folder, W_OK, "written", kWrite);
+    look(config.station.report_folder, W_OK, "written", kWrite);
+    if (fault) return *fault;
+    return {"permissions", true, good.empty() ? "nothing is named that needs any" : good, ""};
 }
 
 double resident_mb() {

@@ -22,6 +22,10 @@ struct Check {
 /// Screen, OpenGL ES, tablets: only where no kiosk runs in this program. Half a second.
 [[nodiscard]] std::vector<Check> check_machine();
 
+/// What this user may do with the files and folders that the settings name, and with the graphics device where there
+/// is one: one check, which names the first that is in the way. Tablets are in check_machine. Writes nothing.
+[[nodiscard]] Check check_permissions(const Config& config, const std::string& config_file);
+
 /// Resident memory of this program, in MB; 0 where the system does not tell.
 [[nodiscard]] double resident_mb();
 /// Free space of the disk that holds the path, in GB.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/checksum.hpp"
+#include "ui/screens/card_text.hpp"
 
 namespace app {
 namespace {
@@ -17,16 +18,18 @@ std::uint64_t mix(std::uint64_t hash, const T& value) {
     return core::fnv1a64(std::as_bytes(std::span<const T, 1>(&value, 1)), hash);
 }
 
-/// Identity of a picture: the model, from where, with which part colours where, how large.
-std::uint64_t identity(const FoundModel& model, const ui::CardModel& card, ui::SizePx size) {
+/// Identity of a picture: the model, from where, with which part colours where, how large and where in the picture.
+std::uint64_t identity(const FoundModel& model, const ui::CardModel& card, const ui::ModelPictureOptions& options) {
     std::uint64_t hash = mix(0xcbf29ce484222325ULL, model.id);
     hash = mix(hash, model.mesh.get());
     for (const core::Vec3& v : {model.camera.direction, model.camera.up}) {
         for (const double d : {v.x, v.y, v.z}) hash = mix(hash, d);
     }
     hash = mix(hash, model.mirrored ? 1 : 0);
-    hash = mix(hash, size.width);
-    hash = mix(hash, size.height);
+    hash = mix(hash, options.size.width);
+    hash = mix(hash, options.size.height);
+    hash = mix(hash, options.lean);
+    hash = mix(hash, options.headroom);
     return core::fnv1a64(std::as_bytes(std::span(card.part_map.pixels)), hash);
 }
 
@@ -36,11 +39,6 @@ std::vector<int> tags_of(const FoundModel& model) {
         if (part.colour >= 0 && part.colour < ui::palette::kPartCount) colours.insert(part.colour);
     }
     return {colours.begin(), colours.end()};
-}
-
-ui::SizePx picture_size(const ui::FindLayout& layout, std::size_t card) {
-    const ui::Rect& r = layout.card_pictures[card];
-    return {std::max(1, static_cast<int>(r.width)), std::max(1, static_cast<int>(r.height))};
 }
 
 }  // namespace
@@ -58,7 +56,8 @@ core::Result<CardPictures> CardPictures::create() {
     return CardPictures(std::move(*painter));
 }
 
-void CardPictures::start(std::shared_ptr<const PreparedAnswer> answer, const ui::FindLayout& layout) {
+void CardPictures::start(std::shared_ptr<const PreparedAnswer> answer, const ui::FontSet& fonts,
+                         const ui::FindLayout& layout) {
     answer_ = std::move(answer);
     faces_.clear();
     missing_.clear();
@@ -71,28 +70,26 @@ void CardPictures::start(std::shared_ptr<const PreparedAnswer> answer, const ui:
         if (face.caption == face.name) face.caption.clear();
         face.tags = tags_of(best[i]);
         if (answer_->cards[i] != nullptr) {
-            const std::uint64_t key = identity(best[i], *answer_->cards[i], picture_size(layout, i));
+            ui::CardPlace place = ui::place_on_card(fonts, layout, i, face.name, face.caption, *answer_->cards[i]);
+            face.lines = std::move(place.name);
+            const std::uint64_t key = identity(best[i], *answer_->cards[i], place.picture);
             const auto [entry, is_new] = ids_.emplace(key, ui::PictureId{next_id_});
             face.picture = entry->second;
             if (is_new) {
                 ++next_id_;
-                missing_.push_back({face.picture, i});
+                missing_.push_back({face.picture, i, place.picture});
             }
         }
         faces_.push_back(std::move(face));
     }
 }
 
-void CardPictures::paint(int count, const ui::FindLayout& layout, ui::Painter& painter) {
+void CardPictures::paint(int count, ui::Painter& painter) {
     for (; count > 0 && !missing_.empty(); --count) {
         const Missing next = missing_.front();
         missing_.pop_front();
-        ui::ModelPictureOptions options;
-        options.size = picture_size(layout, next.card);
-        options.margin = next.card == 0 ? 0.03 : 0.06;
-        options.ground_margin = next.card == 0 ? 0.09 : 0.08;  // the best card's tags stand below the model
-        if (next.card == 0) options.lean = 0.1;                // away from the name, which stands at the top left
-        const auto [entry, is_new] = textures_.emplace(next.id, painter_.paint(*answer_->cards[next.card], options));
+        const auto [entry, is_new] =
+            textures_.emplace(next.id, painter_.paint(*answer_->cards[next.card], next.options));
         painter.set_picture(next.id, &entry->second);
         ++painted_;
     }

@@ -24,9 +24,9 @@ class CardPictures {
     [[nodiscard]] static core::Result<CardPictures> create();
 
     /// Takes an answer to make cards of; the one before must be finished (see busy()).
-    void start(std::shared_ptr<const PreparedAnswer> answer, const ui::FindLayout& layout);
+    void start(std::shared_ptr<const PreparedAnswer> answer, const ui::FontSet& fonts, const ui::FindLayout& layout);
     /// Paints up to `count` pictures that are still missing.
-    void paint(int count, const ui::FindLayout& layout, ui::Painter& painter);
+    void paint(int count, ui::Painter& painter);
     [[nodiscard]] bool busy() const { return answer_ != nullptr; }
     /// The cards, once all their pictures are there; empties itself.
     [[nodiscard]] std::optional<std::vector<ui::CardFace>> take_finished();
@@ -42,6 +42,7 @@ class CardPictures {
     struct Missing {
         ui::PictureId id;
         std::size_t card;
+        ui::ModelPictureOptions options;
     };
     ui::ModelPainter painter_;
     std::map<std::uint64_t, ui::PictureId> ids_;  // by what the picture shows

@@ -8,22 +8,6 @@ namespace app {
 CardWorker::CardWorker()
     : worker_([this](const PreparedAnswer& wanted, const std::stop_token& stop) { return prepare(wanted, stop); }) {}
 
-void CardWorker::start(PreparedAnswer answer) {
-    busy_ = true;
-    worker_.start(std::move(answer));
-}
-
-std::optional<PreparedAnswer> CardWorker::take() {
-    std::optional<PreparedAnswer> ready = worker_.take();
-    if (ready) busy_ = false;
-    return ready;
-}
-
-void CardWorker::forget() {
-    worker_.forget();
-    busy_ = false;
-}
-
 PreparedAnswer CardWorker::prepare(const PreparedAnswer& wanted, const std::stop_token& stop) {
     PreparedAnswer answer = wanted;
     try {

@@ -14,18 +14,17 @@ class CardWorker {
     CardWorker();
 
     /// Hands over an answer whose cards are wanted. One at a time: not while busy().
-    void start(PreparedAnswer answer);
-    /// From start() until its cards are taken or forgotten.
-    [[nodiscard]] bool busy() const { return busy_; }
+    void start(PreparedAnswer answer) { worker_.start(std::move(answer)); }
+    /// From start() until its cards are taken, forgotten, or cannot be made.
+    [[nodiscard]] bool busy() const { return worker_.busy(); }
     /// The answer with its cards, once they are ready. Does not wait.
-    [[nodiscard]] std::optional<PreparedAnswer> take();
+    [[nodiscard]] std::optional<PreparedAnswer> take() { return worker_.take(); }
     /// Nothing comes of what was handed over.
-    void forget();
+    void forget() { worker_.forget(); }
 
   private:
     PreparedAnswer prepare(const PreparedAnswer& wanted, const std::stop_token& stop);
 
-    bool busy_ = false;      // only the caller's thread touches it
     CardPreparer preparer_;  // only the worker touches it
     NewestWorker<PreparedAnswer, PreparedAnswer> worker_;
 };

@@ -9,13 +9,25 @@
 namespace app {
 
 std::filesystem::path next_free(const std::filesystem::path& folder, const std::string& name) {
-    std::error_code ignored;
-    for (int n = 1;; ++n) {
+    const auto path_of = [&](int number) {
         std::array<char, 24> end{};
-        std::snprintf(end.data(), end.size(), "-%04d.trace", n);
-        std::filesystem::path path = folder / (name + end.data());
-        if (!std::filesystem::exists(path, ignored)) return path;
+        std::snprintf(end.data(), end.size(), "-%04d.trace", number);
+        return folder / (name + end.data());
+    };
+    const auto is_taken = [&](int number) {
+        std::error_code ignored;
+        return std::filesystem::exists(path_of(number), ignored);
+    };
+    int taken = 0, free = 1;
+    while (is_taken(free)) {
+        taken = free;
+        free *= 2;
     }
+    while (free - taken > 1) {
+        const int middle = taken + (free - taken) / 2;
+        (is_taken(middle) ? taken : free) = middle;
+    }
+    return path_of(free);
 }
 
 core::Result<void> DrawingRecorder::keep(const core::Drawing& drawing) {

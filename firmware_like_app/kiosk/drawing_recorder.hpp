@@ -9,7 +9,8 @@
 
 namespace app {
 
-/// The first of NAME-0001.trace, NAME-0002.trace … that the folder does not have.
+/// One of NAME-0001.trace, NAME-0002.trace … that the folder does not have: the first, or where some were taken out the
+/// first behind others that are there. Looks at few files however many there are: stations record for months.
 [[nodiscard]] std::filesystem::path next_free(const std::filesystem::path& folder, const std::string& name);
 
 class DrawingRecorder {

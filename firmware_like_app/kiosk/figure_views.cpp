@@ -65,7 +65,7 @@ void FigureViews::set_dress(FigureDress dress) {
 
 void FigureViews::upload() {
     if (dress_.form != uploaded_form_) {
-        if (dress_.form) stage_.set_body(ui::corners_of_body(dress_.form->mesh));
+        stage_.set_body(dress_.form ? ui::corners_of_body(dress_.form->mesh) : ui::FigureCorners{});
         uploaded_form_ = dress_.form;
         aim();
     }
@@ -263,6 +263,7 @@ ui::FigureStage::Look FigureViews::look(bool quads) const {
     ui::FigureStage::Look look;
     look.quads = quads;
     look.body = dress_.body_shown;
+    look.shadow = dress_.form != nullptr;
     for (const FigureDress::Layer& layer : dress_.layers) look.shown.push_back(layer.shown);
     return look;
 }

@@ -304,7 +304,7 @@ void FindMode::drop_results() {
     shadow_.clear(painter_);
     order_.clear();
     rail_.set({});
-    wash_.clear();
+    drop_wash();
     wash_since_us_.reset();
     wash_out_us_.reset();
     wash_settled_ = false;
@@ -394,13 +394,17 @@ void FindMode::make_answer_visible() {
         with_cards->cards = preparer_.prepare(with_cards->answer);
         answer_ = std::move(with_cards);
     }
-    pictures_.start(answer_, layout_);
+    pictures_.start(answer_, fonts_, layout_);
     make_wash();
 }
 
-void FindMode::make_wash() {
+void FindMode::drop_wash() {
     for (std::size_t i = 0; i < wash_.size(); ++i) painter_.set_picture(wash_id(i), nullptr);
     wash_.clear();
+}
+
+void FindMode::make_wash() {
+    drop_wash();
     if (!answer_ || answer_->answer.best.empty()) return;
     std::vector<const FoundPart*> parts;
     for (const FoundPart& part : answer_->answer.best[0].parts) {
@@ -454,7 +458,7 @@ void FindMode::update(std::int64_t now_us) {
 }
 
 void FindMode::use_spare_time() {
-    pictures_.paint(1, layout_, painter_);
+    pictures_.paint(1, painter_);
 }
 
 void FindMode::search_and_wait() {
@@ -473,7 +477,7 @@ void FindMode::search_and_wait() {
 void FindMode::settle(bool resting) {
     make_answer_visible();
     shadow_.settle(painter_);
-    pictures_.paint(static_cast<int>(ui::kCardCount), layout_, painter_);
+    pictures_.paint(static_cast<int>(ui::kCardCount), painter_);
     if (auto faces = pictures_.take_finished()) rail_.set(std::move(*faces));
     rail_.settle();
     pictures_.keep_only_shown(rail_, painter_);

@@ -135,6 +135,7 @@ class FindMode final : public Mode {
     [[nodiscard]] ui::CalmOrder::Frozen frozen_cards() const;
     void show_answer();
     void make_wash();
+    void drop_wash();
     void make_answer_visible();
     void drop_results();
     void start_over_frame();

@@ -1,6 +1,7 @@
 #include "firmware_like_app/kiosk/garment_body_files.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "core/exchange/mesh_reader.hpp"
@@ -108,11 +109,16 @@ void GarmentBodyFiles::read(const std::string& file) {
     reading_ = std::make_shared<Reading>();
     reading_->file = file;
     const auto work = [reading = reading_, shelf = shelf_] {
-        const core::Result<core::DressForm> form = shelf->form(reading->file);
-        const std::scoped_lock lock(reading->mutex);
-        if (!form) {  // as it is listed: the folder is the studio's business
-            reading->problem = fs::path(reading->file).filename().string() + ": " + form.error().message;
+        std::string problem;
+        try {
+            const core::Result<core::DressForm> form = shelf->form(reading->file);
+            if (!form) problem = form.error().message;
+        } catch (const std::exception& error) {  // out of memory
+            problem = std::string("it cannot be read (") + error.what() + ")";
         }
+        const std::scoped_lock lock(reading->mutex);
+        // as it is listed: the folder is the studio's business
+        if (!problem.empty()) reading->problem = fs::path(reading->file).filename().string() + ": " + problem;
         reading->done = true;
     };
     if (!own_thread_) return work();

@@ -1,6 +1,7 @@
 #include "firmware_like_app/kiosk/garment_builder.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "core/garment/texture.hpp"
@@ -66,9 +67,13 @@ void GarmentBuilder::work(const std::stop_token& stop) {
             working_ = true;
             epoch = epoch_;
         }
-        BuiltGarment built = run(*job, stop);
+        std::optional<BuiltGarment> built;
+        try {
+            built = run(*job, stop);
+        } catch (const std::exception&) {  // out of memory: what is shown stays, and the next act asks again
+        }
         const std::scoped_lock lock(mutex_);
-        if (epoch == epoch_) done_ = std::move(built);
+        if (built && epoch == epoch_) done_ = std::move(built);
         working_ = false;
         changed_.notify_all();
     }

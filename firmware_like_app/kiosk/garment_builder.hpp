@@ -33,7 +33,7 @@ class GarmentBuilder {
     GarmentBuilder& operator=(const GarmentBuilder&) = delete;
 
     void submit(Job job);
-    /// The newest that is done, once.
+    /// The newest that is done, once. Nothing comes of one that there was no memory for.
     [[nodiscard]] std::optional<BuiltGarment> take();
     /// Until nothing waits and nothing is at work.
     void wait();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <utility>
 
 #include "core/garment/drape.hpp"
@@ -150,8 +151,6 @@ void GarmentDrape::publish(const Hanging& hanging, std::uint64_t of) {
 }
 
 void GarmentDrape::work(const std::stop_token& stop) {
-    using Clock = std::chrono::steady_clock;
-    constexpr auto kStep = std::chrono::microseconds(1'000'000 / kStepsPerSecond);
     while (!stop.stop_requested()) {
         std::optional<Job> job;
         std::uint64_t of = 0;
@@ -161,18 +160,30 @@ void GarmentDrape::work(const std::stop_token& stop) {
             job = std::exchange(waiting_, std::nullopt);
             of = number_;
         }
-        Hanging hanging(std::move(*job));
-        Clock::time_point due = Clock::now();
-        while (!hanging.rested()) {
-            {
-                std::unique_lock lock(mutex_);
-                changed_.wait_until(lock, stop, due, [this, of] { return number_ != of; });
-                if (stop.stop_requested() || number_ != of) break;
-            }
-            hanging.step();
-            publish(hanging, of);
-            due = std::max(due + kStep, Clock::now() - kMostBehind * kStep);
+        try {
+            hang(std::move(*job), of, stop);
+        } catch (const std::exception&) {  // out of memory: it stays where it hangs
+            const std::scoped_lock lock(mutex_);
+            if (of == number_) moving_ = false;
         }
+    }
+}
+
+/// Until it rests, or something else is to hang.
+void GarmentDrape::hang(Job job, std::uint64_t of, const std::stop_token& stop) {
+    using Clock = std::chrono::steady_clock;
+    constexpr auto kStep = std::chrono::microseconds(1'000'000 / kStepsPerSecond);
+    Hanging hanging(std::move(job));
+    Clock::time_point due = Clock::now();
+    while (!hanging.rested()) {
+        {
+            std::unique_lock lock(mutex_);
+            changed_.wait_until(lock, stop, due, [this, of] { return number_ != of; });
+            if (stop.stop_requested() || number_ != of) return;
+        }
+        hanging.step();
+        publish(hanging, of);
+        due = std::max(due + kStep, Clock::now() - kMostBehind * kStep);
     }
 }
 

@@ -51,6 +51,7 @@ class GarmentDrape {
     };
     class Hanging;
     void work(const std::stop_token& stop);
+    void hang(Job job, std::uint64_t of, const std::stop_token& stop);
     void publish(const Hanging& hanging, std::uint64_t of);
 
     bool on_ = false;

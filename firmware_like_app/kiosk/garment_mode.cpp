@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 #include "firmware_like_app/garment/design_sources.hpp"
@@ -64,10 +65,17 @@ GarmentMode::~GarmentMode() = default;
 
 void GarmentMode::prepare() {
     if (desk_ || coming_.valid() || !failure_.empty()) return;
-    coming_ = std::async(std::launch::async,
-                         [make = options_.first_desk, size = options_.size, source = body_files_.source()] {
-                             return make ? make(size) : empty_desk(size, source);
-                         });
+    coming_ =
+        std::async(std::launch::async,
+                   [make = options_.first_desk, size = options_.size,
+                    source = body_files_.source()]() -> core::Result<core::GarmentDesk> {
+                       try {
+                           return make ? make(size) : empty_desk(size, source);
+                       } catch (const std::exception& error) {  // out of memory
+                           return core::unexpected(core::ErrorCode::Internal,
+                                                   std::string("the figure cannot be made (") + error.what() + ")");
+                       }
+                   });
 }
 
 /// Waits for the body of an empty design, when it is needed before it is there.
@@ -343,11 +351,7 @@ void GarmentMode::update(std::int64_t now_us) {
     if (cleared_ && now_us - cleared_us_ > kClearedOffer_us) cleared_ = false;  // Undo still brings it back
     if (gallery_open_) {
         gallery_->update(now_us);
-        for (auto& [id, picture] : gallery_->take_pictures()) {
-            ui::Texture texture({picture.width, picture.height}, ui::PixelFormat::Colour);
-            texture.upload(0, 0, texture.size(), picture.pixels);
-            painter_.set_picture(id, &gallery_pictures_.insert_or_assign(id, std::move(texture)).first->second);
-        }
+        show_gallery_pictures();
     }
     if (std::exchange(body_due_, false)) try_body();
     request_cloth();
@@ -358,12 +362,12 @@ void GarmentMode::update(std::int64_t now_us) {
 }
 
 int GarmentMode::update_ink() {
-    if (!desk_) return 0;
-    follow_live();
+    if (desk_) follow_live();
     const bool moves = (hold_ != Hold::None && hold_ != Hold::Board) || (drape_.on() && drape_.moving());
     views_.set_moving(options_.every_frame_seen && moves);
+    // also while the figure of an empty design is on its way: the last visitor's must not be seen until it comes
     if (views_.draw()) painter_.set_picture(FigureViews::kFigure, &views_.figure_texture());
-    project();
+    if (desk_) project();
     return 0;
 }
 
@@ -434,6 +438,7 @@ void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
     (void)keeper_.end();
     if (gallery_open_) leave_gallery();
     export_no_place_ = false;
+    exporter_.forget();
     touch_.cancel();
     hold_ = Hold::None;
     pointer_px_.reset();
@@ -452,12 +457,13 @@ void GarmentMode::wipe(std::size_t language, ui::Hand hand) {
     tape_.reset();
     piece_.clear();
     line_.clear();
-    cleared_ = find_wanted_ = erasing_ = eraser_near_ = false;
+    cleared_ = find_wanted_ = erasing_ = eraser_near_ = pen_hovers_ = body_due_ = false;
     repeat_us_.reset();
     put_away_.reset();
+    put_away_id_ = 0;
     scroll_px_ = 0;
     drawing_ = {};
-    washes_.clear();
+    drop_washes();
     options_.language = language;
     views_.reset_cameras();
     views_.show(ui::GarmentView::Front);

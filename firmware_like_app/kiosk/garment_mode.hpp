@@ -190,6 +190,7 @@ class GarmentMode final : public Mode {
     void open_gallery();
     void keep_picture();
     void leave_gallery();
+    void show_gallery_pictures();
     void gallery_pointer(const ui::WindowEvent& event);
     void press_gallery(std::size_t item, std::int64_t now_us);
     void open_kept(std::int64_t id);
@@ -205,6 +206,7 @@ class GarmentMode final : public Mode {
     void relayout(ui::SizePx screen, ui::Hand hand);
     void project();
     void make_washes();
+    void drop_washes();
     void fill_rows(ui::GarmentState& state) const;
     void fill_history(ui::GarmentState& state) const;
     void fill_stroke(ui::GarmentState& state) const;
@@ -269,7 +271,8 @@ class GarmentMode final : public Mode {
     double scroll_px_ = 0, scroll_start_px_ = 0;
     std::optional<std::int64_t> repeat_us_;  // of a stepper that is held: the next step
     int repeat_by_ = 0, repeats_ = 0;
-    double number_start_cm_ = 0;  // of the stepper, while its number is dragged
+    double number_start_cm_ = 0;     // of the stepper, while its number is dragged
+    GarmentStepper stepper_before_;  // as the pointer came down
     std::unique_ptr<GarmentRecorder> recorder_;
     bool recording_failed_ = false;
 

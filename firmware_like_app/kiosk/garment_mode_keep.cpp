@@ -13,6 +13,7 @@ namespace app {
 namespace {
 
 constexpr int kFirstGalleryPicture = 400;
+constexpr std::size_t kPicturesAFrame = 2, kAllPictures = 1000;
 
 ExportPlan plan_of(std::size_t kind) {
     ExportPlan plan;
@@ -107,6 +108,24 @@ void GarmentMode::leave_gallery() {
     for (const auto& [id, texture] : gallery_pictures_) painter_.set_picture(id, nullptr);
     gallery_pictures_.clear();
     shown_.reset();
+}
+
+/// Of the cards that are on the screen, a few a frame; those of others go.
+void GarmentMode::show_gallery_pictures() {
+    gallery_->look(layout_.screen, options_.every_frame_seen ? kPicturesAFrame : kAllPictures);
+    for (auto& [id, picture] : gallery_->take_pictures()) {
+        ui::Texture texture({picture.width, picture.height}, ui::PixelFormat::Colour);
+        texture.upload(0, 0, texture.size(), picture.pixels);
+        painter_.set_picture(id, &gallery_pictures_.insert_or_assign(id, std::move(texture)).first->second);
+    }
+    for (auto it = gallery_pictures_.begin(); it != gallery_pictures_.end();) {
+        if (gallery_->shows(it->first)) {
+            ++it;
+            continue;
+        }
+        painter_.set_picture(it->first, nullptr);
+        it = gallery_pictures_.erase(it);
+    }
 }
 
 void GarmentMode::gallery_pointer(const ui::WindowEvent& event) {

@@ -137,6 +137,7 @@ void GarmentMode::press(const ui::WindowEvent& event) {
     drop_hold(event.time_us);
     down_px_ = last_px_ = {event.x, event.y};
     moved_ = repeated_ = false;
+    stepper_before_ = stepper_;
     if (layout_.sheet.contains(event.x, event.y)) {
         touch_sheet(event);
         return;
@@ -339,6 +340,7 @@ void GarmentMode::drop_hold(std::int64_t now_us) {
     if (held == Hold::Drawing) {
         stroke_px_.clear();
         take_reply(desk_->end(), now_us);
+        erasing_ = false;
     }
     if (held == Hold::Folds) desk_->drop_live();
     if (held == Hold::Object) let_object_go(now_us);
@@ -359,6 +361,7 @@ void GarmentMode::take_back() {
         show_objects();
     }
     if (desk_ && held == Hold::Measure) body_.set(desk_->state().worn()->form.measures.value_or(body_.measures()));
+    if (held != Hold::None) stepper_ = stepper_before_;
     if (desk_) stepper_.set_quads(desk_->network().options().edge_cm);
     body_due_ = erasing_ = false;
     stroke_px_.clear();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "firmware_like_app/garment/design_faults.hpp"
+#include "firmware_like_app/kiosk/card_pictures.hpp"
 #include "firmware_like_app/kiosk/garment_mode.hpp"
 #include "ui/draw/coverage.hpp"
 #include "ui/screens/garment_names.hpp"
@@ -102,7 +103,10 @@ void GarmentMode::fill_history(ui::GarmentState& state) const {
     for (std::size_t k = entries.size(); k-- > 0;) {
         ui::HistoryRow row;
         row.name = words()[key_of(entries[k].kind)];
-        if (!entries[k].name.empty()) row.name += ": " + ui::shown_name(words(), entries[k].name);
+        if (const std::string& name = entries[k].name; !name.empty()) {
+            row.name =
+                ui::filled_in(words()["step_named"], {{"step", row.name}, {"name", ui::shown_name(words(), name)}});
+        }
         row.undone = k >= desk_->history_place();
         row.current = k + 1 == desk_->history_place();
         state.history.push_back(std::move(row));
@@ -243,7 +247,7 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
         state.folds_on = true;
         state.folds_held = hold_ == Hold::Folds;
         state.folds = state.folds_held ? folds_ : std::clamp(region->alpha / core::kClosedFlowAlpha, 0.0, 1.0);
-        state.folds_name = ui::shown_name(words(), piece);
+        state.folds_name = readable_name(ui::shown_name(words(), piece));
     }
     for (std::size_t i = 0; i < washes_.size(); ++i) {
         state.washes.push_back({ui::PictureId{kFirstWash + static_cast<int>(i)}, washes_[i].rect, washes_[i].colour});
@@ -286,12 +290,16 @@ ui::GarmentState GarmentMode::state(std::int64_t now_us) const {
     return state;
 }
 
-/// Closed outlines whose cloth is still being made.
-void GarmentMode::make_washes() {
+void GarmentMode::drop_washes() {
     for (std::size_t i = 0; i < washes_.size(); ++i) {
         painter_.set_picture(ui::PictureId{kFirstWash + static_cast<int>(i)}, nullptr);
     }
     washes_.clear();
+}
+
+/// Closed outlines whose cloth is still being made.
+void GarmentMode::make_washes() {
+    drop_washes();
     if (desk_->cloth_is_current()) return;
     const int width = std::max(1, static_cast<int>(layout_.sheet.width));
     const int height = std::max(1, static_cast<int>(layout_.sheet.height));

@@ -104,9 +104,7 @@ class Loop {
         shell_.set_tablet(!pens_.tablets().empty(), surface_.now_us());
         if (pens_.pen_near()) shell_.pen_near(false, surface_.now_us());
         find_.look_ahead(pens_.predicted());
-        for (std::string& problem : pens_.take_problems()) {
-            if (report_.problems.size() < 100) report_.problems.push_back(std::move(problem));
-        }
+        for (std::string& problem : pens_.take_problems()) tell_problem(std::move(problem));
         report_.pen_reports_lost = pens_.lost();
     }
 
@@ -220,14 +218,19 @@ class Loop {
         last_drawing_ = find_.sketch().drawing();
     }
 
-    /// Keeps what a visitor drew when the sheet is emptied, by the visitor or by time, or the kiosk ends.
+    /// Keeps what a visitor drew when the sheet is emptied, by the visitor or by time, or the kiosk ends. A folder that
+    /// is full costs the recording, never the station; it is told once until drawings can be kept again.
     void record() {
         note_drawing();
         if (last_drawing_.empty()) return;
         pens_.mark("the sheet was emptied");
-        // A full disk costs the recording, never the kiosk.
         const core::Result<void> kept = recorder_.keep(std::exchange(last_drawing_, {}));
-        if (!kept && report_.problems.size() < 100) report_.problems.push_back(kept.error().sentence());
+        if (!kept && recording_works_) tell_problem(kept.error().sentence());
+        recording_works_ = kept.has_value();
+    }
+
+    void tell_problem(std::string problem) {
+        if (report_.problems.size() < 100) report_.problems.push_back(std::move(problem));
     }
 
     void replay() {
@@ -456,6 +459,7 @@ class Loop {
     std::int64_t collection_seen_us_ = -kCollectionLook_us, input_seen_us_ = -kInputLook_us;
     ReplayPlayer player_;
     DrawingRecorder recorder_;
+    bool recording_works_ = true;
     core::Drawing last_drawing_;
     std::uint64_t noted_revision_ = 0;
     KioskReport report_;

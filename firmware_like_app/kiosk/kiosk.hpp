@@ -76,7 +76,8 @@ struct KioskReport {
 /// Runs until the window is closed, Escape is pressed, or (headless or end_after_replays) the replays end.
 /// A collection that is not ready: the sheet works and nothing is found. Headless, the loop waits for the search after
 /// each stroke and at each picture, so two runs give the same pictures. Errors: NoDisplay, FileMissing (fonts),
-/// BadArgument (unknown language, headless without replays or shots), WriteFailed (shots, record's folder).
+/// BadArgument (unknown language, headless without replays or shots), WriteFailed (shots; record where it cannot
+/// begin).
 [[nodiscard]] core::Result<KioskReport> run_kiosk(const KioskOptions& options, CollectionHost& collection,
                                                   std::vector<NamedDrawing> replays);
 /// The same on a collection that never changes; `searcher` may be null.

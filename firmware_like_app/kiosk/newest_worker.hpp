@@ -47,6 +47,11 @@ class NewestWorker {
         const std::scoped_lock lock(mutex_);
         return std::exchange(done_, std::nullopt);
     }
+    /// Whether a result is still to be taken, or on its way.
+    [[nodiscard]] bool busy() const {
+        const std::scoped_lock lock(mutex_);
+        return waiting_.has_value() || done_.has_value() || wanted_;
+    }
     /// What waits is not begun, what is done is dropped, and of the job that runs nothing comes: whoever wanted it has
     /// left, and nothing of theirs is kept. Returns at once.
     void forget() {
@@ -69,17 +74,16 @@ class NewestWorker {
             std::optional<Result> result;
             try {
                 result = work_(*job, stop);
-            } catch (const std::exception&) {
-                continue;
+            } catch (const std::exception&) {  // nothing comes of it
             }
             job.reset();
             const std::scoped_lock lock(mutex_);
-            if (wanted_) done_ = std::move(result);
+            if (std::exchange(wanted_, false) && result) done_ = std::move(result);
         }
     }
 
     std::function<Result(const Job&, const std::stop_token&)> work_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::optional<Job> waiting_;
     std::optional<Result> done_;

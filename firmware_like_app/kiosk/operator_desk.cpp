@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using ui::StationAction;
 
 constexpr std::size_t kProblemRows = 8;
-constexpr std::size_t kMostTrail = 4000;
+constexpr std::ptrdiff_t kMostTrail = 4000;
 constexpr std::int64_t kLook_us = 2'000'000;
 constexpr int kStep_s = 5;
 constexpr int kMostLookedAt = 20'000;  // files, when models are counted in a folder
@@ -127,7 +127,6 @@ void OperatorDesk::pointer(const ui::WindowEvent& event, const ui::StationState&
             if (ui::station_action(touch_.pressed_item()) == StationAction::Exit) exit_since_us_ = event.time_us;
         } else if (page.test_area.contains(event.x, event.y)) {
             testing_ = true;
-            if (trail_.size() > kMostTrail) trail_.clear();
             last_point_.reset();
         } else {
             scroll_grip_ = event.y + scroll_;
@@ -154,6 +153,7 @@ void OperatorDesk::pointer(const ui::WindowEvent& event, const ui::StationState&
         const double radius = ui::ink_radius_px(event.pressure, 9);
         const core::Point p{event.x, event.y}, from = last_point_.value_or(p);
         if (!last_point_) last_radius_ = radius;
+        if (std::ssize(trail_) >= kMostTrail) trail_.erase(trail_.begin(), trail_.begin() + kMostTrail / 2);
         trail_.push_back({static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(p.x),
                           static_cast<float>(p.y), static_cast<float>(last_radius_), static_cast<float>(radius)});
         last_point_ = p;

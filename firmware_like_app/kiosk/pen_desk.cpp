@@ -55,9 +55,22 @@ void PenDesk::set_pipeline(const input::PipelineOptions& pipeline) {
     screen_ = {0, 0};  // fitted anew with the next frame
 }
 
-void PenDesk::fit(ui::SizePx screen) {
+void PenDesk::fit(ui::SizePx screen, std::vector<Event>& out) {
     if (screen == screen_) return;
     screen_ = screen;
+    if (holder_ == Holder::Pen) {
+        last_.kind = Kind::Up;
+        out.push_back(last_);
+        holder_ = Holder::None;
+        pen_ = 0;
+    }
+    // the steps that would have told that a pen left are gone; one that is near says so with its next sample
+    for (const std::uint32_t device : near_) palm_.forget(device, clock_());
+    if (!near_.empty() && holder_ == Holder::None) {
+        last_.kind = Kind::Leave;
+        out.push_back(last_);
+    }
+    near_.clear();
     pipeline_ = input::PenPipeline(fitted(options_.pipeline, screen));
     for (const DeskTablet& tablet : tablets_) {
         const input::TraceDevice device = source_->device(tablet.number);
@@ -71,8 +84,8 @@ void PenDesk::fit(ui::SizePx screen) {
 std::vector<ui::WindowEvent> PenDesk::merge(const std::vector<ui::WindowEvent>& window, ui::SizePx screen,
                                             const ui::Rect& sheet, std::int64_t now_us) {
     to_window_us_ = now_us - clock_() / 1000;
-    fit(screen);
     std::vector<Event> out;
+    fit(screen, out);
     if (source_) take_tablets(out);
     for (const Event& event : window) take_window(event, sheet, out);
     std::stable_sort(out.begin(), out.end(), [](const Event& a, const Event& b) { return a.time_us < b.time_us; });
@@ -109,7 +122,7 @@ void PenDesk::change(const input::SourceEvent& event, std::vector<Event>& out) {
         const input::TraceDevice device = source_->device(event.device);
         pipeline_.attach(event.device, device.axes, device.reports_range);
         tablets_.push_back({event.device, device.identity.name, false});
-        say(TabletChange::Kind::Attached, tablets_.back());
+        return say(TabletChange::Kind::Attached, tablets_.back());
     }
     if (known == tablets_.end()) return;
     if (event.kind == input::SourceEventKind::Asleep) {
@@ -199,9 +212,8 @@ void PenDesk::release_others(std::int64_t time_us, std::vector<Event>& out) {
 }
 
 void PenDesk::take_window(const Event& event, const ui::Rect& sheet, std::vector<Event>& out) {
-    if (event.kind == Kind::FocusLost && (holder_ == Holder::Mouse || holder_ == Holder::Finger)) {
-        holder_ = Holder::None;
-    }
+    const bool lost = event.kind == Kind::FocusLost || event.kind == Kind::Cancel;
+    if (lost && (holder_ == Holder::Mouse || holder_ == Holder::Finger)) holder_ = Holder::None;
     if (!is_pointer(event)) {
         out.push_back(event);
         return;

@@ -85,7 +85,7 @@ class PenDesk {
     /// Who holds the one pointer.
     enum class Holder { None, Mouse, Finger, Pen };
 
-    void fit(ui::SizePx screen);
+    void fit(ui::SizePx screen, std::vector<Event>& out);
     void take_tablets(std::vector<Event>& out);
     void change(const input::SourceEvent& event, std::vector<Event>& out);
     void awake(std::uint32_t number);

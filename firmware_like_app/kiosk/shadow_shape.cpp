@@ -12,7 +12,7 @@
 namespace app {
 namespace {
 
-constexpr double kLeastShared = 0.5;  // of the boxes of drawing and shadow
+constexpr double kLeastShared = 0.7;  // of the boxes of drawing and shadow; few parts place a shadow badly
 constexpr int kView_px = 288, kMost_px = 400;
 constexpr double kPlainTurn = 0.7;  // of the middles' spread that one turn explains; below, they are not turned
 

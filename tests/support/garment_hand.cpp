@@ -176,8 +176,7 @@ void GarmentHand::skirt() {
         if (front) draw({seen(vertex(1)), {19, 92}, {26, 75}, {33, 58}});
         view(ui::GarmentView::Top);
         draw({seen(vertex(2)), {31, -side * 11}, {23, -side * 21}, {12, -side * 26.5}, {0, -side * 28}});
-        view(front ? ui::GarmentView::Front : ui::GarmentView::Back);
-        tap({0, 106});  // a ring: closes along the middle
+        // closes along the middle by itself
     }
     view(ui::GarmentView::Front);
 }

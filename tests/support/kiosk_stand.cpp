@@ -63,7 +63,7 @@ KioskStand::KioskStand(ui::SizePx wanted, app::ShellOptions options, app::FindOp
     garment_options.hand = options.hand;
     garment_options.every_frame_seen = false;
     garment_options.record = record;
-    if (garment_options.bodies.empty()) garment_options.first_desk = desk_on_known_body;
+    if (garment_options.bodies.empty() && !garment_options.first_desk) garment_options.first_desk = desk_on_known_body;
     garment = value_of(app::GarmentMode::create(base_->fonts, languages, garment_options, size));
     options.garment = garment.get();
     shell = value_of(app::Shell::create(base_->fonts, languages, *find, &collection.searcher(), options, size, now_us));

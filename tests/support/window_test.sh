@@ -133,6 +133,16 @@ ink=$(convert "$folder/cleared.png" -crop 20x30+750+325 +repage -colorspace Gray
 [ "$ink" -ge 240 ] || fail "New left ink on the sheet (darkest $ink)"
 ls "$folder"/drawings/drawing-*.trace >/dev/null 2>&1 || fail "the drawing was not kept"
 
+# Where drawings can be kept no more, as on a disk that is full, visitors draw on all the same.
+rm -rf "$folder/drawings"
+draw 620 350 660 340 760 335
+sleep 0.3
+xdotool mousemove 448 550 mousedown 1
+sleep 0.1
+xdotool mouseup 1
+sleep 0.7
+kill -0 "$kiosk" 2>/dev/null || fail "the program ended with its recording: $(cat "$folder/kiosk.log")"
+
 # To Garment with the pointer: the figure stands on the sheet. An outline drawn round the hips on it becomes cloth.
 click 337 52
 for _ in $(seq 60); do

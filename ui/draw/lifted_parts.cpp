@@ -20,6 +20,7 @@ constexpr double kBehind = 0.035;  // this much behind what is seen still counts
 constexpr int kBlends = 2;
 constexpr double kInwards = 4.0 / kMap;  // plane units, two pixels
 constexpr std::uint8_t kOutside = 255;
+constexpr std::uint8_t kClay = palette::kPartCount;
 constexpr double kOthersShare = 0.25;
 
 struct Corner {
@@ -260,7 +261,9 @@ LiftedModel lift_parts(const ModelGeometry& geometry, const core::Camera& camera
             const int x = pixel(p.x), y = pixel(-p.y);
             projected[v] = map.at(x, y);
             const float front = nearness[static_cast<std::size_t>(y * kMap + x)];
-            if (camera.nearness(welder.places[v]) >= front - kBehind) seen[v] = projected[v];
+            if (camera.nearness(welder.places[v]) < front - kBehind) continue;
+            // what is seen between the parts is clay, as on the card, and takes no neighbour's colour
+            seen[v] = projected[v] == kOutside ? kClay : projected[v];
         }
         const Links links = links_of(model.vertex_of, welder.places.size());
         std::vector<std::uint8_t> labels = seen;

@@ -1,7 +1,7 @@
 #pragma once
 // Part colours on a whole model, lifted from the view that matched: the surface that its camera sees takes the part it
-// is seen in, hidden surface that of the nearest surface along the mesh, and borders blend. For models that are turned;
-// for the matched view alone bake_part_map does.
+// is seen in, and is clay between the parts; hidden surface takes that of the nearest surface along the mesh, and
+// borders blend. For models that are turned; for the matched view alone bake_part_map does.
 
 #include <array>
 #include <cstdint>

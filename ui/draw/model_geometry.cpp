@@ -17,6 +17,7 @@ constexpr std::size_t kMostFaces = 48;   // round one corner; beyond that the fa
 constexpr double kBlendShare = 0.012;    // of the model's height, by the design
 constexpr double kContactShare = 0.035;  // of the model's height counts as standing on the ground
 constexpr int kContactCells = 64;
+constexpr std::size_t kBands = 48;
 
 struct PositionHash {
     std::size_t operator()(const std::array<std::int64_t, 3>& p) const {
@@ -93,6 +94,28 @@ void find_contacts(CardModel& model) {
     }
 }
 
+void find_reaches(CardModel& model) {
+    const double height = model.top - model.bottom;
+    if (height <= 0) return;
+    model.reaches.assign(kBands, {1e300, -1e300});
+    const auto band_of = [&](double y) {
+        const double band = (y - model.bottom) / height * kBands;
+        return static_cast<std::size_t>(std::clamp(band, 0.0, kBands - 1.0));
+    };
+    const std::vector<float>& c = model.geometry->corners;
+    for (std::size_t i = 0; i + 26 < c.size(); i += 27) {
+        std::array<core::Point, 3> p;
+        for (std::size_t k = 0; k < 3; ++k)
+            p[k] = model.camera.project({c[i + k * 9], c[i + k * 9 + 1], c[i + k * 9 + 2]});
+        const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
+        const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
+        for (std::size_t band = band_of(low); band <= band_of(high); ++band) {
+            core::Point& reach = model.reaches[band];
+            reach = {std::min(reach.x, left), std::max(reach.y, right)};
+        }
+    }
+}
+
 }  // namespace
 
 ModelGeometry make_model_geometry(const core::TriangleMesh& mesh) {
@@ -133,6 +156,7 @@ CardModel make_card_model(std::shared_ptr<const ModelGeometry> geometry, const c
     model.mirrored = mirrored;
     find_box(model);
     find_contacts(model);
+    find_reaches(model);
     if (!parts.empty()) model.part_map = bake_part_map(parts, map_size, (model.top - model.bottom) * kBlendShare);
     return model;
 }

@@ -30,6 +30,9 @@ struct CardModel {
     double left = -1, right = 1, bottom = -1, top = 1;  ///< box in the image plane, before mirroring, y up
     /// Where the model stands: spans of the plane's x along its lowest line.
     std::vector<core::Point> contacts;
+    /// How far it reaches to the left and right (x, y) in each of these equal bands of its height, lowest first; where
+    /// nothing of it is, x is larger than y.
+    std::vector<core::Point> reaches;
 };
 
 /// `map_size`: pixels of the part map. Without parts the model is all clay.

@@ -25,7 +25,7 @@ struct Fit {
 Fit fit_box(const CardModel& model, SizePx size, const ModelPictureOptions& options) {
     const double width = std::max(model.right - model.left, 1e-6), height = std::max(model.top - model.bottom, 1e-6);
     const double room_x = (1 - 2 * options.margin) * size.width;
-    const double room_y = (1 - options.margin - options.ground_margin) * size.height;
+    const double room_y = (1 - options.margin - options.headroom - options.ground_margin) * size.height;
     const double scale = std::min(room_x / width, room_y / height);  // px a plane unit
     Fit fit;
     fit.sx = (model.mirrored ? -1.0 : 1.0) * scale * 2 / size.width;
@@ -72,6 +72,20 @@ PicturePlace picture_place(const CardModel& model, const ModelPictureOptions& op
     return {std::abs(fit.sx) * options.size.width / 2,
             {(fit.ox + 1) / 2 * options.size.width, (fit.oy + 1) / 2 * options.size.height},
             model.mirrored};
+}
+
+double free_at_left(const CardModel& model, const ModelPictureOptions& options, double from_y, double to_y) {
+    const PicturePlace place = picture_place(model, options);
+    const double band =
+        (model.top - model.bottom) / static_cast<double>(std::max<std::size_t>(model.reaches.size(), 1));
+    double free = options.size.width;
+    for (std::size_t i = 0; i < model.reaches.size(); ++i) {
+        const core::Point& reach = model.reaches[i];
+        const double low = place.origin_px.y - (model.bottom + static_cast<double>(i) * band) * place.scale_px;
+        if (reach.x > reach.y || low - band * place.scale_px > to_y || low < from_y) continue;
+        free = std::min(free, place.origin_px.x + (model.mirrored ? -reach.y : reach.x) * place.scale_px);
+    }
+    return free;
 }
 
 core::Result<ModelPainter> ModelPainter::create() {

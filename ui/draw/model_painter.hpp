@@ -13,7 +13,8 @@ struct ModelPictureOptions {
     double margin = 0.05;         ///< of the picture, kept free left, right and above
     double ground_margin = 0.08;  ///< kept free below, where the shadow lies
     bool own_colours = false;     ///< the mesh's colours instead of clay where no part colour lies
-    double lean = 0;  ///< share of the picture's width by which free room at the sides may shift the model right
+    double lean = 0;      ///< share of the picture's width by which free room at the sides may shift the model right
+    double headroom = 0;  ///< share of the picture's height above the model that is kept free beyond the margin
 };
 
 /// Where a picture of ModelPainter shows the image plane: pixels of `size`, y down.
@@ -23,6 +24,10 @@ struct PicturePlace {
     bool mirrored = false;  ///< the plane's x runs to the left
 };
 [[nodiscard]] PicturePlace picture_place(const CardModel& model, const ModelPictureOptions& options);
+/// Pixels from the picture's left edge to the model between two heights of the picture, y down: all of the width where
+/// nothing of the model is. Of a triangle its box counts.
+[[nodiscard]] double free_at_left(const CardModel& model, const ModelPictureOptions& options, double from_y,
+                                  double to_y);
 
 class ModelPainter {
   public:

@@ -3,6 +3,7 @@
 #include <SDL.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -29,6 +30,7 @@ class SdlWindow final : public Window {
         std::vector<WindowEvent> events;
         SDL_Event event;
         while (SDL_PollEvent(&event) != 0) translate(event, events);
+        let_lost_finger_go(events);
         return events;
     }
 
@@ -84,8 +86,20 @@ class SdlWindow final : public Window {
 
     void finger(std::vector<WindowEvent>& events, WindowEvent::Kind kind, const SDL_TouchFingerEvent& touch) {
         const SizePx drawable = size();
+        const bool free = !held_;
         pointer(events, kind, touch.fingerId, touch.x * drawable.width, touch.y * drawable.height,
                 touch.pressure > 0.0F ? touch.pressure : 1.0, touch.timestamp);
+        if (free && held_) touch_screen_ = touch.touchId;
+    }
+
+    /// A touch screen that goes while a finger is on it, as one does whose cable has a bad day, never says that the
+    /// finger lifted: nothing else would point any more.
+    void let_lost_finger_go(std::vector<WindowEvent>& events) {
+        if (!held_ || *held_ == kMouse) return;
+        for (int i = 0; i < SDL_GetNumTouchDevices(); ++i)
+            if (SDL_GetTouchDevice(i) == touch_screen_) return;
+        held_.reset();
+        events.push_back({WindowEvent::Kind::Cancel, 0, 0, 1, now_us(), true});
     }
 
     /// Apart or nearer to each other, and where they go together.
@@ -191,9 +205,17 @@ class SdlWindow final : public Window {
     SDL_Window* window_;
     SDL_GLContext context_;
     std::optional<SDL_FingerID> held_;
+    SDL_TouchID touch_screen_ = 0;  // that the held finger is on
     MouseButtons buttons_;
     std::optional<std::pair<double, double>> together_;  // the middle of two fingers
 };
+
+/// SDL's drivers that somebody can see, best first: left to itself it ends by drawing into memory, unseen. Wayland only
+/// where it can be, for its library complains otherwise.
+const char* real_screens() {
+    const char* const folder = std::getenv("XDG_RUNTIME_DIR");
+    return folder != nullptr && *folder != 0 ? "x11,wayland,kmsdrm" : "x11,kmsdrm";
+}
 
 core::Unexpected no_display() {
     return core::unexpected(core::ErrorCode::NoDisplay, std::string("no screen can be opened (") + SDL_GetError() +
@@ -212,6 +234,7 @@ core::Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options)
     SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
     SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+    SDL_SetHint(SDL_HINT_VIDEODRIVER, real_screens());  // what the environment asks for wins
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return no_display();
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);

@@ -14,6 +14,7 @@ namespace ui {
 /// What a mouse, a finger, a pen or the window manager did. Positions are in pixels of the drawable, y down.
 struct WindowEvent {
     /// Leave: the pen is out of range, nothing points any more. TakeBack: what began with the last Down was a palm.
+    /// Cancel: what pointed is gone, with its device.
     enum class Kind {
         Down,
         Move,

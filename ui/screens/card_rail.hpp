@@ -20,6 +20,8 @@ struct CardFace {
     std::string caption;    ///< a quiet second line on the best card; may be empty
     std::vector<int> tags;  ///< part colours, ascending
     PictureId picture{};    ///< 0: there is none, the name stands alone
+    /// The name as it stands beside the picture, line by line (card_text.hpp); empty: on one line as wide as the card.
+    std::vector<std::string> lines{};
     friend bool operator==(const CardFace&, const CardFace&) = default;
 };
 

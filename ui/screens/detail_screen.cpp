@@ -105,13 +105,8 @@ class Drawer {
         }
         list_.box(l_.sheet, 0, palette::kSheet);
         const TextStyle back = s_.text(Face::SemiBold, 20);
-        const bool down = state_.pressed == Control::KeepDrawing;
-        const Rect r = down ? scaled(l_.back, 0.97) : l_.back;
-        list_.box(r, r.height / 2, down ? palette::kWell : palette::kSheet, palette::kLine, std::max(1.0, s_.px(2)));
-        list_.icon(Icon::Back, r.x + s_.px(44), r.centre_y(), s_.px(32), s_.px(32) / 32 * 2.2, palette::kInk);
-        draw_fitted(list_, fonts_, words_["keep_drawing"], back, palette::kInk, r.x + s_.px(72),
-                    r.centre_y() + cap_drop(back), r.width - s_.px(88), Align::Left);
-        if (state_.wear) wear(back);
+        way(l_.back, Icon::Back, words_["keep_drawing"], back, state_.pressed == Control::KeepDrawing);
+        if (state_.wear) way(l_.wear, Icon::OnBody, words_["wear_it"], back, state_.pressed == Control::Wear);
     }
 
     void drawing() {
@@ -213,13 +208,16 @@ class Drawer {
     [[nodiscard]] float opened() const { return static_cast<float>(state_.opened); }
     [[nodiscard]] float dim(int colour) const { return state_.focus && *state_.focus != colour ? 0.25F : 1.0F; }
 
-    void wear(const TextStyle& style) {
-        const bool down = state_.pressed == Control::Wear;
-        const Rect r = down ? scaled(l_.wear, 0.97) : l_.wear;
+    /// A way from here: icon and words together in the middle of a button.
+    void way(const Rect& rect, Icon icon, const std::string& words, const TextStyle& style, bool down) {
+        const Rect r = down ? scaled(rect, 0.97) : rect;
         list_.box(r, r.height / 2, down ? palette::kWell : palette::kSheet, palette::kLine, std::max(1.0, s_.px(2)));
-        list_.icon(Icon::OnBody, r.x + s_.px(44), r.centre_y(), s_.px(32), s_.px(32) / 32 * 2.2, palette::kInk);
-        draw_fitted(list_, fonts_, words_["wear_it"], style, palette::kInk, r.x + s_.px(72),
-                    r.centre_y() + cap_drop(style), r.width - s_.px(88), Align::Left);
+        const double size = s_.px(32), gap = s_.px(12), room = r.width - size - gap - 2 * s_.px(16);
+        const double wide = std::min(fonts_.width_px(words, style), room);
+        const double x = r.centre_x() - (size + gap + wide) / 2;
+        list_.icon(icon, x + size / 2, r.centre_y(), size, size / 32 * 2.2, palette::kInk);
+        draw_fitted(list_, fonts_, words, style, palette::kInk, x + size + gap, r.centre_y() + cap_drop(style), room,
+                    Align::Left);
     }
 
     void card(const Rect& r, double radius, bool pressed) {

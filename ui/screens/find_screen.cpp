@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/screens/card_text.hpp"
 #include "ui/screens/garment_screen.hpp"
 #include "ui/screens/widgets.hpp"
 
@@ -13,7 +14,7 @@ using palette::kNone;
 
 /// Type of the two arrangements: what is for reading keeps at least 16 px on small screens.
 struct Type {
-    TextStyle wordmark, best_name, caption, card_name, tool, tag, board_hint, sheet_title, sheet_text, switched, chosen;
+    TextStyle wordmark, tool, tag, board_hint, sheet_title, sheet_text, switched, chosen;
 };
 
 TextStyle style(Face face, double px, double tracking = 0) {
@@ -25,9 +26,6 @@ Type type_of(const FindLayout& l) {
     const double c = l.compact ? 1 : 0;
     Type t;
     t.wordmark = style(Face::DisplaySemiBold, px(36 - 8 * c), -0.03);
-    t.best_name = style(Face::SemiBold, px(28 - 7 * c), -0.02);
-    t.caption = style(Face::Medium, px(17));
-    t.card_name = style(Face::Medium, px(18 - 2 * c));
     t.tool = style(Face::Medium, px(16));
     t.tag = style(Face::SemiBold, px(19 - 4 * c));
     t.board_hint = style(Face::Regular, px(24 - 4 * c));
@@ -183,25 +181,31 @@ class Drawer {
             return;
         }
         if (face.picture == PictureId{}) {
-            centred_lines(list_, fonts_, fonts_.cut(face.name, type_.card_name, r.width - l_.px(24)), type_.card_name,
-                          palette::kInk.faded(a), r.centre_x(), r.centre_y(), r.width, 0);
+            const TextStyle s = card_text(l_, i).name;
+            centred_lines(list_, fonts_, fonts_.cut(face.name, s, r.width - l_.px(24)), s, palette::kInk.faded(a),
+                          r.centre_x(), r.centre_y(), r.width, 0);
             return;
         }
-        const double x = r.x + l_.px(l_.compact ? 14 : 18);
-        const double width = std::max(l_.card_pictures[i].x + l_.px(24) - x, l_.px(72));
-        list_.text(fonts_, fonts_.cut(face.name, type_.card_name, width), type_.card_name, palette::kInk.faded(a), x,
-                   r.y + l_.px(l_.compact ? 27 : 31));
+        name(card_text(l_, i), face, r, a);
+    }
+
+    void name(const CardText& text, const CardFace& face, const Rect& card, float a) {
+        double y = card.y + text.name_baseline;
+        std::vector<std::string> lines = face.lines;
+        if (lines.empty()) lines = {fonts_.cut(face.name, text.name, text.most_px)};
+        for (const std::string& line : lines) {
+            list_.text(fonts_, line, text.name, palette::kInk.faded(a), card.x + text.x, y);
+            y += kNameLineHeight * text.name.size_px;
+        }
     }
 
     void best_text(const CardFace& face, float a) {
         const Rect& r = l_.cards[0];
-        const double x = r.x + l_.px(l_.compact ? 18 : 24);
-        const double width = r.width - l_.px(48);
-        list_.text(fonts_, fonts_.cut(face.name, type_.best_name, width), type_.best_name, palette::kInk.faded(a), x,
-                   r.y + l_.px(l_.compact ? 36 : 46));
-        if (!l_.compact && !face.caption.empty()) {
-            list_.text(fonts_, fonts_.cut(face.caption, type_.caption, width), type_.caption, palette::kMuted.faded(a),
-                       x, r.y + l_.px(72));
+        const CardText text = card_text(l_, 0);
+        name(text, face, r, a);
+        if (text.captioned && !face.caption.empty()) {
+            list_.text(fonts_, fonts_.cut(face.caption, text.caption, text.most_px), text.caption,
+                       palette::kMuted.faded(a), r.x + text.x, r.y + text.caption_baseline);
         }
         const double d = l_.px(l_.compact ? 26 : 32), pitch = l_.px(l_.compact ? 31 : 40);
         double cx = r.x + l_.px(l_.compact ? 16 : 22) + d / 2;

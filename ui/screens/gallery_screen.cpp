@@ -128,6 +128,7 @@ class Builder {
 
     void card(std::size_t i, const Rect& r) {
         if (r.bottom() < header_height() || r.y > s_.height()) return;
+        page_.seen.push_back(i);
         const GalleryCard& card = state_.cards[i];
         const bool pressed = down(GalleryAction::Open, i);
         const Rect shown = pressed ? scaled(r, 0.99) : r;

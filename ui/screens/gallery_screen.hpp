@@ -60,7 +60,8 @@ struct GalleryState {
 struct GalleryPage {
     DrawList list;
     std::vector<BoardTouch::Target> targets;
-    double most_scroll = 0;  ///< pixels
+    double most_scroll = 0;         ///< pixels
+    std::vector<std::size_t> seen;  ///< cards that are on the screen, in order
 };
 
 class GalleryScreen {

@@ -31,7 +31,8 @@ bool is_number_tail(const std::string& tail) {
 
 }  // namespace
 
-std::string shown_name(const Strings& words, const std::string& name) {
+std::string shown_name(const Strings& words, std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');  // as names in files may be written
     for (const auto& [known, key] : kNames) {
         const std::string base = known;
         if (name.rfind(base, 0) != 0) continue;

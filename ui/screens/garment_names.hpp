@@ -7,7 +7,8 @@
 
 namespace ui {
 
-/// "sleeve back 2" is the second back sleeve; a name with any other word in it is somebody's own.
-[[nodiscard]] std::string shown_name(const Strings& words, const std::string& name);
+/// "sleeve back 2", or "sleeve_back 2" as in a file, is the second back sleeve; a name with any other word in it is
+/// somebody's own.
+[[nodiscard]] std::string shown_name(const Strings& words, std::string name);
 
 }  // namespace ui

@@ -54,10 +54,17 @@ void draw_garment_stepper(DrawList& list, const FontSet& fonts, const Strings& w
     };
     knob(r.x + inset, Icon::Minus, GarmentAction::Less, state.stepper.less);
     knob(r.right() - inset - d, Icon::Plus, GarmentAction::More, state.stepper.more);
-    draw_fitted(list, fonts, stepper_number(words, state.stepper), type.number,
-                state.stepper.held ? palette::kSanguine : palette::kInk, r.centre_x(),
-                r.centre_y() + cap_drop(type.number), r.width - 2 * d - (layout.compact ? 2 : 4) * inset,
-                Align::Centre);
+    const std::string number = stepper_number(words, state.stepper);
+    const double room = r.width - 2 * d - (layout.compact ? 2 : 4) * inset;
+    std::vector<std::string> lines{number};
+    if (!state.stepper.cm && fonts.width_px(number, type.number) > room) lines = fonts.wrap(number, type.number, room);
+    const double line = type.number.size_px * 1.15;
+    double y = r.centre_y() + cap_drop(type.number) - line * (static_cast<double>(lines.size()) - 1) / 2;
+    for (const std::string& text : lines) {
+        draw_fitted(list, fonts, text, type.number, state.stepper.held ? palette::kSanguine : palette::kInk,
+                    r.centre_x(), y, room, Align::Centre);
+        y += line;
+    }
 }
 
 void add_stepper_targets(std::vector<BoardTouch::Target>& all, const GarmentLayout& layout) {

@@ -167,14 +167,28 @@ class Builder {
         y_ += s_.px(16);
     }
 
+    /// What a row is for: on two lines where one is too narrow, so that all rows are written in one size.
+    void row_label(const std::string& what, double height, double room) {
+        std::vector<std::string> lines{what};
+        if (fonts_.width_px(what, body_) > room) lines = fonts_.wrap(what, body_, room);
+        const double line = body_.size_px * 1.2;
+        double y = y_ + height / 2 + cap_drop(body_) - line * (static_cast<double>(lines.size()) - 1) / 2;
+        for (const std::string& words : lines) {
+            draw_fitted(page_.list, fonts_, words, body_, palette::kInk, x_, y, room, Align::Left);
+            y += line;
+        }
+    }
+
     void row_switch(const std::string& what, const std::vector<std::string>& choices, std::size_t chosen,
                     StationAction action) {
-        const double height = s_.target(66),
-                     wide = std::min(width_ * 0.52, s_.target(92) * static_cast<double>(choices.size()));
+        const double height = s_.target(66);
+        double each = s_.target(92);  // the widest word with room about it, too
+        for (const std::string& words : choices)
+            each = std::max(each, fonts_.width_px(words, strong_) + 1.6 * body_.size_px);
+        const double wide = std::min(width_ * 0.52, each * static_cast<double>(choices.size()) + s_.px(12));
         const Rect r{x_ + width_ - wide, y_, wide, height};
         if (drawing_) {
-            draw_fitted(page_.list, fonts_, what, body_, palette::kInk, x_, y_ + height / 2 + cap_drop(body_),
-                        width_ - wide - s_.px(16), Align::Left);
+            row_label(what, height, width_ - wide - s_.px(16));
             segments(r, choices, chosen, action);
         }
         y_ += height + s_.px(8);
@@ -203,8 +217,7 @@ class Builder {
         const double height = s_.target(64), wide = std::max(s_.px(236), 2 * height + s_.px(96));
         const Rect r{x_ + width_ - wide, y_, wide, height};
         if (drawing_) {
-            draw_fitted(page_.list, fonts_, what, body_, palette::kInk, x_, y_ + height / 2 + cap_drop(body_),
-                        width_ - wide - s_.px(16), Align::Left);
+            row_label(what, height, width_ - wide - s_.px(16));
             page_.list.box(r, height / 2, palette::kWell, palette::kLine, line_);
             for (const bool more : {false, true}) {
                 const Rect knob{more ? r.right() - height : r.x, r.y, height, height};
@@ -228,16 +241,31 @@ class Builder {
         bool on = true;
         double fill = 0;
     };
-    /// Side by side, as wide as they are together.
+    /// Side by side, as wide as they are together: all alike, or where the words of one need more, each as its words;
+    /// below each other where that leaves too little room about them.
     void buttons(const std::vector<Choice>& choices) {
         y_ += s_.px(14);
-        const double height = s_.target(66), gap = s_.px(12);
-        const double wide =
-            (width_ - gap * static_cast<double>(choices.size() - 1)) / static_cast<double>(choices.size());
-        for (std::size_t i = 0; i < choices.size(); ++i) {
-            const Choice& c = choices[i];
-            button_at({x_ + (wide + gap) * static_cast<double>(i), y_, wide, height}, c.words, c.kind, c.action, c.on,
-                      c.fill);
+        const double height = s_.target(66), gap = s_.px(12), count = static_cast<double>(choices.size());
+        const double all = width_ - gap * (count - 1);
+        double words = 0;
+        bool alike = true;
+        for (const Choice& c : choices) {
+            const double wide = fonts_.width_px(c.words, strong_);
+            words += wide;
+            alike = alike && wide + 2 * strong_.size_px <= all / count;
+        }
+        if ((all - words) / count < 1.8 * strong_.size_px) {
+            for (const Choice& c : choices) {
+                button_at({x_, y_, width_, height}, c.words, c.kind, c.action, c.on, c.fill);
+                y_ += height + s_.px(12);
+            }
+            return;
+        }
+        double x = x_;
+        for (const Choice& c : choices) {
+            const double wide = alike ? all / count : fonts_.width_px(c.words, strong_) + (all - words) / count;
+            button_at({x, y_, wide, height}, c.words, c.kind, c.action, c.on, c.fill);
+            x += wide + gap;
         }
         y_ += height + s_.px(12);
     }
@@ -266,7 +294,7 @@ class Builder {
         const double row = std::round(body_.size_px * 2);
         if (drawing_) {
             const double label = width_ * 0.24, value = width_ * 0.16, base = y_ + row / 2 + cap_drop(body_);
-            page_.list.text(fonts_, words_["pressure"], s_.text(Face::Medium, 17), palette::kMuted, x_, base);
+            page_.list.text(fonts_, words_["pressure"], body_, palette::kMuted, x_, base);
             draw_bar(page_.list, {x_ + label, std::round(y_ + row / 2 - s_.px(5)), width_ - label - value, s_.px(10)},
                      state_.pressure, palette::kInk, palette::kWell);
             page_.list.text(fonts_, std::to_string(std::lround(state_.pressure * 100)) + " %",

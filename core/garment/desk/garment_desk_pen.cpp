@@ -230,7 +230,7 @@ void GarmentDesk::drag(const DrawingView& view, Point at) {
     if (state().look().mirror && stroke.grabbed.place.x == 0.0) stroke.to.x = 0.0;
     if (!stroke.dragged) (void)ready_live(layer());
     Network moved = network();
-    if (!moved.move(stroke.grabbed.place, stroke.to, settings_.move_radius_cm)) return;
+    if (!moved.move(stroke.grabbed.place, stroke.to, settings_.move_radius_cm, state().look().mirror)) return;
     live_shown_ = live_ && live_->follow(moved);
     stroke.dragged = std::move(moved);
     preview_.line = {stroke.grabbed.place, stroke.to};

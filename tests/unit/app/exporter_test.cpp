@@ -4,6 +4,7 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
+#include <new>
 #include <set>
 #include <thread>
 
@@ -113,6 +114,47 @@ TEST_CASE("the exporter works beside the screen, one export at a time", "[export
     exporter.cancel();
     for (int k = 0; exporter.is_running() && k < 2000; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     CHECK_FALSE(exporter.is_running());
+}
+
+TEST_CASE("an export that runs out of memory has failed, and the program goes on", "[exporter]") {
+    const support::TemporaryFolder folder;
+    app::ExportJob job{.design = skirt(), .place = app::folder_place(folder.path(""))};
+    job.models = [](const std::string&) -> core::Result<core::TriangleMesh> { throw std::bad_alloc(); };
+    job.plan.pictures = 0;
+    place_bag(job.design, "bag");
+    const app::ExportState state = app::run_export(job, {}, {});
+    CHECK(state.stage == Stage::Failed);
+    REQUIRE(state.fault);
+    CHECK(state.fault->kind == Kind::Failed);
+    CHECK(fs::is_empty(folder.path("")));
+}
+
+TEST_CASE("what was exported for a visitor who left is not told to the next", "[exporter]") {
+    const support::TemporaryFolder folder;
+    app::Exporter exporter;
+    app::ExportJob job{.design = skirt(), .place = app::folder_place(folder.path(""))};
+    job.design.name = "Anna";
+    job.plan = {.model = false, .print_pattern = false, .cut_pattern = false, .design = true, .pictures = 0};
+    const auto end = [&] {
+        for (int k = 0; exporter.is_running() && k < 2000; ++k)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    };
+    REQUIRE(exporter.start(job));
+    SECTION("while it runs") {
+        exporter.forget();
+        end();
+    }
+    SECTION("when it has ended") {
+        end();
+        CHECK(exporter.state().stage == Stage::Saved);
+        exporter.forget();
+    }
+    CHECK(exporter.state().stage == Stage::Idle);
+    CHECK(exporter.state().folder.empty());
+    CHECK(fs::exists(folder.path("Anna/design.json")));
+    REQUIRE(exporter.start(job));
+    end();
+    CHECK(exporter.state().stage == Stage::Saved);
 }
 
 TEST_CASE("a placed model is scaled about its middle and turned about x, y, z in this order", "[exporter]") {

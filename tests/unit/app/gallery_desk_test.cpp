@@ -138,12 +138,53 @@ TEST_CASE("the bin empties itself; pictures are handed out once", "[gallery_desk
     stand.now_us += 31 * kDay_us;
     stand.desk.open(0, 2, ui::Hand::Left);
     CHECK(stand.store.list(db::Shelf::Bin)->empty());
+    stand.desk.look({1280, 800}, 5);
     const auto pictures = stand.desk.take_pictures();
     REQUIRE(pictures.size() == 1);
     CHECK(pictures[0].second.pixels == image.pixels);
     CHECK(stand.desk.state().cards[0].picture == pictures[0].first);
     CHECK(stand.desk.take_pictures().empty());
     CHECK(stand.desk.state().cards[0].date.size() == 10);
+}
+
+TEST_CASE("of many designs only the pictures on the screen are read, some at a time, and the others let go",
+          "[gallery_desk]") {
+    constexpr ui::SizePx kScreen{1280, 800};
+    Stand stand;
+    const std::vector<std::byte> png = *core::png_bytes({3, 4, std::vector<std::uint8_t>(48, 200)});
+    for (int k = 0; k < 40; ++k) REQUIRE(stand.store.set_thumbnail(stand.add("d" + std::to_string(k)), png));
+    stand.add("without");
+    stand.desk.open(0, 0, ui::Hand::Right);
+    CHECK(stand.desk.take_pictures().empty());
+    const std::size_t seen = stand.desk.page(kScreen, std::nullopt).seen.size();
+    REQUIRE(seen >= 4);
+    REQUIRE(seen <= 12);
+    stand.desk.look(kScreen, 2);  // the one without and the first
+    const auto first = stand.desk.take_pictures();
+    REQUIRE(first.size() == 1);
+    CHECK_FALSE(stand.desk.state().cards[0].picture);
+    CHECK(stand.desk.state().cards[1].picture == first[0].first);
+    stand.desk.look(kScreen, 100);
+    CHECK(stand.desk.take_pictures().size() == seen - 2);
+    stand.desk.look(kScreen, 100);
+    CHECK(stand.desk.take_pictures().empty());
+    CHECK(stand.desk.shows(first[0].first));
+
+    stand.desk.scroll(1e6, kScreen);
+    stand.desk.look(kScreen, 100);
+    const std::size_t last = stand.desk.take_pictures().size();
+    CHECK(last > 0);
+    CHECK(last <= seen);
+    CHECK_FALSE(stand.desk.shows(first[0].first));
+    CHECK_FALSE(stand.desk.state().cards[1].picture);
+    CHECK(stand.desk.state().cards.back().picture);
+
+    const ui::PictureId kept = *stand.desk.state().cards.back().picture;
+    stand.press(GalleryAction::Rename, stand.desk.state().cards.size() - 1);
+    stand.write("z");
+    stand.desk.look(kScreen, 100);
+    CHECK(stand.desk.state().cards.size() == 41);
+    CHECK(stand.desk.shows(kept) == (stand.desk.state().cards.back().picture == kept));
 }
 
 TEST_CASE("a file that is none is said, and nothing else happens", "[gallery_desk]") {

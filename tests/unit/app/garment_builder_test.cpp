@@ -1,6 +1,7 @@
 #include "firmware_like_app/kiosk/garment_builder.hpp"
 
 #include <catch2/catch.hpp>
+#include <new>
 
 #include "core/garment/desk/garment_desk.hpp"
 #include "core/garment/wardrobe.hpp"
@@ -63,4 +64,23 @@ TEST_CASE("of many requests the newest is made last; what was forgotten never co
     beside.forget();
     beside.wait();
     CHECK_FALSE(beside.take());
+}
+
+TEST_CASE("cloth that there is no memory for does not come, and the builder goes on", "[garment builder]") {
+    Work w = work("skirt_flat", 1);
+    if (w.jobs.empty()) w.jobs.push_back({*w.desk.build_request(), {0}});
+    const core::Mannequin body = *core::make_mannequin(*core::measures_of_size("38"));
+    const core::DesignRunner greedy =
+        *core::DesignRunner::start(w.desk.design(), core::dress_form(body),
+                                   [](const std::string&) -> core::Result<core::DressForm> { throw std::bad_alloc(); });
+    core::DesignStep worn;
+    worn.kind = core::DesignStep::Kind::Body;
+    worn.name = "mine.obj";
+    app::GarmentBuilder beside(true);
+    beside.submit({{greedy, 9, worn}, {}});
+    beside.wait();
+    CHECK_FALSE(beside.take());
+    beside.submit(w.jobs.back());
+    beside.wait();
+    CHECK(beside.take());
 }

@@ -229,4 +229,8 @@ TEST_CASE("a garment is exported to a folder by two presses", "[garment keep]") 
         dxf += entry.path().extension() == ".dxf" ? 1 : 0;
     CHECK(dxf == 1);
     hand.press(A::Done);
+    kiosk.garment->wipe(0, ui::Hand::Right);  // the next visitor reads nothing of it
+    hand.enter();
+    hand.press(A::Export);
+    CHECK(state(kiosk).export_message.empty());
 }

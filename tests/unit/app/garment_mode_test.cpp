@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <new>
+#include <semaphore>
 
 #include "core/exchange/design_file.hpp"
 #include "tests/support/garment_hand.hpp"
@@ -300,4 +302,90 @@ TEST_CASE("the tape reads a girth", "[garment mode]") {
     const ui::GarmentState s = state(kiosk);
     REQUIRE(s.notes.size() == 1);
     CHECK(std::stod(s.notes[0].words) == Approx(72).margin(4));  // the waist of size 38
+}
+
+TEST_CASE("after a wipe nothing of the last garment is seen until the next figure is there", "[garment mode]") {
+    std::counting_semaphore<> made{1};
+    app::GarmentOptions options;
+    options.first_desk = [&](const std::string& size) {
+        made.acquire();
+        const core::Mannequin body = *core::make_mannequin(*core::measures_of_size(size));
+        core::Design design;
+        design.body = body.measures;
+        return core::GarmentDesk::open(std::move(design), core::dress_form(body));
+    };
+    test::KioskStand kiosk(kSize, {}, {}, {}, nullptr, options);
+    test::GarmentHand hand(kiosk);
+    hand.enter();
+    hand.open("skirt_flat");
+    const auto seen = [&] {
+        for (int k = 0; k < 8; ++k) kiosk.shell->update_ink();
+        ui::Target target(kSize, ui::PixelFormat::Colour);
+        target.bind();
+        kiosk.shell->draw(kiosk.now_us, false);
+        return target.read_back();
+    };
+    const core::RgbaImage dressed = seen();
+    kiosk.garment->wipe(0, ui::Hand::Right);
+    const core::RgbaImage waiting = seen();
+    const ui::Rect sheet = kiosk.garment->layout().sheet, figure = kiosk.garment->layout().figure;
+    const auto pixel = [&](double x, double y) {
+        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(dressed.width) + static_cast<std::size_t>(x)) *
+               4;
+    };
+    const std::size_t ground = pixel(sheet.x + 5, 5);
+    std::size_t own = 0, left = 0;  // pixels about the figure's middle that are not the sheet's
+    for (double y = figure.y + 150; y < figure.bottom() - 20; y += 1) {
+        for (double x = figure.centre_x() - 80; x < figure.centre_x() + 80; x += 1) {
+            const auto is_ground = [&](const core::RgbaImage& image) {
+                const std::size_t at = pixel(x, y);
+                return std::abs(image.pixels[at] - dressed.pixels[ground]) +
+                           std::abs(image.pixels[at + 2] - dressed.pixels[ground + 2]) <
+                       24;
+            };
+            own += is_ground(dressed) ? 0 : 1;
+            left += is_ground(waiting) ? 0 : 1;
+        }
+    }
+    CHECK(own > 10'000);
+    CHECK(left == 0);
+    made.release();
+}
+
+TEST_CASE("a figure that there is no memory for is said, and the program goes on", "[garment mode]") {
+    app::GarmentOptions options;
+    options.first_desk = [](const std::string&) -> core::Result<core::GarmentDesk> { throw std::bad_alloc(); };
+    test::KioskStand kiosk(kSize, {}, {}, {}, nullptr, options);
+    test::GarmentHand(kiosk).enter();
+    kiosk.tap(kiosk.garment->layout().figure);
+    CHECK_FALSE(state(kiosk).problem.empty());
+}
+
+TEST_CASE("what a palm did to the stepper is taken back; an eraser that is cancelled erases no more",
+          "[garment mode]") {
+    test::KioskStand kiosk(kSize);
+    test::GarmentHand hand(kiosk);
+    hand.enter();
+    const double before = state(kiosk).offset_cm;
+    const ui::GarmentScreen screen(kiosk.fonts(), kiosk.languages);
+    ui::Rect number;
+    for (const auto& target : screen.targets(state(kiosk), kiosk.garment->layout()))
+        if (target.control == ui::Control::Garment && target.item == ui::garment_item(A::Number)) number = target.rect;
+    REQUIRE(number.width > 0);
+    kiosk.event(ui::WindowEvent::Kind::Down, number.centre_x(), number.centre_y());
+    kiosk.event(ui::WindowEvent::Kind::Move, number.centre_x() + 60, number.centre_y());
+    CHECK(state(kiosk).offset_cm > before);
+    kiosk.event(ui::WindowEvent::Kind::TakeBack, number.centre_x() + 60, number.centre_y());
+    CHECK(state(kiosk).offset_cm == before);
+
+    const ui::Rect figure = kiosk.garment->layout().figure;
+    ui::WindowEvent pen{ui::WindowEvent::Kind::Down, figure.centre_x(), figure.centre_y(), 1, kiosk.now_us, false};
+    pen.pen = pen.eraser = true;
+    kiosk.shell->pointer(pen);
+    CHECK(state(kiosk).eraser_px);
+    kiosk.shell->cancel_pointer(kiosk.now_us);  // the window lost the focus
+    pen.eraser = false;
+    pen.kind = ui::WindowEvent::Kind::Move;
+    kiosk.shell->pointer(pen);
+    CHECK_FALSE(state(kiosk).eraser_px);
 }

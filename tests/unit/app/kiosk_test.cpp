@@ -2,9 +2,11 @@
 
 #include <sys/resource.h>
 #include <unistd.h>
+#include <array>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <mutex>
@@ -171,6 +173,28 @@ TEST_CASE("a drawing for which there is no room leaves no part of itself", "[kio
     REQUIRE_FALSE(kept);
     CHECK(kept.error().code == core::ErrorCode::WriteFailed);
     CHECK(std::filesystem::is_empty(folder.path));
+}
+
+TEST_CASE("a free name is found among many, and behind those that are there", "[kiosk]") {
+    const Folder folder;
+    const auto touch = [&](int number) {
+        std::array<char, 32> name{};
+        std::snprintf(name.data(), name.size(), "drawing-%04d.trace", number);
+        std::ofstream(folder.path / name.data());
+    };
+    CHECK(app::next_free(folder.path, "drawing") == folder.path / "drawing-0001.trace");
+    for (int number = 1; number <= 300; ++number) {
+        touch(number);
+        std::array<char, 32> next{};
+        std::snprintf(next.data(), next.size(), "drawing-%04d.trace", number + 1);
+        REQUIRE(app::next_free(folder.path, "drawing") == folder.path / next.data());
+    }
+    for (const int gone : {1, 2, 64, 150, 299}) {
+        std::array<char, 32> name{};
+        std::snprintf(name.data(), name.size(), "drawing-%04d.trace", gone);
+        std::filesystem::remove(folder.path / name.data());
+        CHECK_FALSE(std::filesystem::exists(app::next_free(folder.path, "drawing")));
+    }
 }
 
 TEST_CASE("a kept drawing reads back to the bit", "[kiosk]") {

@@ -114,6 +114,31 @@ TEST_CASE("added, changed and removed models change the lists as measuring all a
     CHECK(update(index) == 0);
 }
 
+TEST_CASE("lists measured in memory are those that an index would store", "[likeness]") {
+    const TemporaryFolder folder;
+    TwoViewIndex index = open(folder, "a.db");
+    add(index, 0, 40);
+    CHECK(update(index) == 40);
+    const auto loaded = index.load_views();
+    REQUIRE(loaded);
+    std::vector<app::CollectionModel> models;
+    std::vector<std::int64_t> ids;
+    for (const db::ModelRecord& record : loaded->models) {
+        ids.push_back(record.id);
+        models.push_back({record, {}});
+        for (std::size_t v = 0; v < 2; ++v) {
+            models.back().views[v].contour = core::matchable(record.views[v].contour);
+        }
+    }
+    std::size_t done = 0;
+    const core::NearestLists measured =
+        app::measured_likeness(models, 2, [&](std::size_t models_done, std::size_t) { done = models_done; });
+    CHECK(measured == app::lists_by_place(lists(index), ids));
+    CHECK(done == 40);
+    CHECK(app::measured_likeness({}, 2).empty());
+    CHECK(app::measured_likeness(std::span(models).first(1), 1) == core::NearestLists(1));
+}
+
 TEST_CASE("stopped at any moment, measuring goes on to the same lists", "[likeness]") {
     const TemporaryFolder folder;
     TwoViewIndex index = open(folder, "a.db");

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <new>
 #include <optional>
 #include <semaphore>
 #include <thread>
@@ -71,4 +72,31 @@ TEST_CASE("nothing comes of what was forgotten: what ran, what waited, what was 
     doubler.worker.start(50);
     CHECK(doubler.wait() == 100);
     CHECK_FALSE(doubler.worker.take());
+}
+
+TEST_CASE("a worker is busy until its result is taken, forgotten, or fails to come", "[newest worker]") {
+    app::NewestWorker<int, int> worker([](const int& number, const std::stop_token& /*stop*/) {
+        if (number < 0) throw std::bad_alloc();
+        return number;
+    });
+    const auto ends = [&] {
+        for (int i = 0; i < 10'000 && worker.busy(); ++i) std::this_thread::sleep_for(1ms);
+        return !worker.busy();
+    };
+    CHECK_FALSE(worker.busy());
+    worker.start(-1);
+    CHECK(ends());
+    CHECK_FALSE(worker.take());
+    worker.start(7);
+    std::optional<int> result;
+    for (int i = 0; i < 10'000 && !result; ++i) {
+        CHECK(worker.busy());
+        result = worker.take();
+        std::this_thread::sleep_for(1ms);
+    }
+    CHECK(result == 7);
+    CHECK_FALSE(worker.busy());
+    worker.start(8);
+    worker.forget();
+    CHECK_FALSE(worker.busy());
 }

@@ -454,3 +454,26 @@ TEST_CASE("while models are added the page says how many, how fast and how many 
     CHECK(shows(page, "a minute"));
     CHECK(shows(page, "3 min left"));
 }
+
+TEST_CASE("a tip that rests on the test area for long leaves a trail of bounded length", "[operator]") {
+    test::KioskStand kiosk(kSize);
+    kiosk.shell->open_sheet(kiosk.now_us);
+    open_station(kiosk);
+    app::OperatorDesk desk(kiosk.fonts(), kiosk.languages, {});
+    desk.open();
+    const ui::Rect area = desk.build(desk.state(0, kiosk.now_us), kSize).test_area;
+    ui::WindowEvent pen{Kind::Down, area.centre_x(), area.centre_y(), 0.5, kiosk.now_us, false};
+    pen.pen = true;
+    const ui::StationState state = desk.state(0, kiosk.now_us);
+    desk.pointer(pen, state, kSize);
+    pen.kind = Kind::Move;
+    for (int k = 0; k < 9000; ++k) {
+        pen.time_us += 5'000;
+        pen.x = area.centre_x() + k % 40;
+        desk.pointer(pen, state, kSize);
+    }
+    const std::vector<ui::InkPiece> trail = desk.state(0, pen.time_us).trail;
+    CHECK(trail.size() > 1000);
+    CHECK(trail.size() <= 4000);
+    CHECK(trail.back().x1 == static_cast<float>(pen.x));
+}

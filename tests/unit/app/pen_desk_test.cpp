@@ -286,3 +286,27 @@ TEST_CASE("everything that points goes into the trace, and can be read again", "
     }
     CHECK(marked);
 }
+
+TEST_CASE("other settings end the stroke that is being drawn, and no pen stays near for ever", "[pen desk]") {
+    Desk d;
+    d.change(input::SourceEventKind::Attached, 1);
+    d.pen(1, 0.5, 0.5, true);
+    REQUIRE(kinds(d.merge()) == Kinds{Kind::Down});
+    d.desk->set_pipeline({});
+    CHECK(kinds(d.merge()) == Kinds{Kind::Up, Kind::Leave});
+    CHECK_FALSE(d.desk->pen_near());
+    d.now_ns += 600 * kMs;
+    CHECK(kinds(d.merge({d.window(Kind::Down, 600, 250, true)})) == Kinds{Kind::Down});
+    d.merge({d.window(Kind::Up, 600, 250, true)});
+    d.pen(1, 0.5, 0.5, false);
+    CHECK(kinds(d.merge()) == Kinds{Kind::Move});
+    CHECK(d.desk->pen_near());
+}
+
+TEST_CASE("a finger that is lost leaves the pointer to others", "[pen desk]") {
+    Desk d;
+    REQUIRE(kinds(d.merge({d.window(Kind::Down, 600, 250, true)})) == Kinds{Kind::Down});
+    ui::WindowEvent lost = d.window(Kind::Cancel, 0, 0, true);
+    CHECK(kinds(d.merge({lost})) == Kinds{Kind::Cancel});
+    CHECK(kinds(d.merge({d.window(Kind::Down, 500, 250, false)})) == Kinds{Kind::Down});
+}

@@ -34,10 +34,10 @@ expect 2 '"bogus"' bogus
 expect 2 '"bogus"' index bogus
 expect 2 '"--bogus"' --bogus
 expect 2 'subcommand is required' index
-expect 2 '--top: 0 is not a number above 0' query "$folder/square.ndjson" --db "$folder/x.db" --top 0
-expect 2 '--jobs: 1000000 is not a number from 1 to 256' index build "$folder/a.off" --db "$folder/x.db" --jobs 1000000
-expect 2 'nan is not a number from -0.25 to 0' garment fill "$folder/square.ndjson" --out "$folder/x.obj" --alpha nan
-expect 2 'inf is not a number above 0' trace record "$folder/x.trace" --seconds inf
+expect 2 '--top: give a number above 0, not "0"' query "$folder/square.ndjson" --db "$folder/x.db" --top 0
+expect 2 '--jobs: give a number from 1 to 256, not "1000000"' index build "$folder/a.off" --db "$folder/x.db" --jobs 1000000
+expect 2 'give a number, not "nan"' garment fill "$folder/square.ndjson" --out "$folder/x.obj" --alpha nan
+expect 2 'give a number, not "inf"' trace record "$folder/x.trace" --seconds inf
 [ ! -e "$folder/x.db" ] || fault "a wrong call made an index"
 
 # Input that never ends.

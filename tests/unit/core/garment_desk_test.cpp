@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/exchange/design_file.hpp"
+#include "core/garment/desk/pen_places.hpp"
 #include "support/desk_hand.hpp"
 #include "support/simple_body.hpp"
 
@@ -289,6 +290,38 @@ TEST_CASE("corners, folds, smoothing, moving and joining change lines where the 
     whole_skirt_sound(desk, 4);
     while (desk.history_place() > 7) REQUIRE(desk.undo().changed);
     CHECK(core::design_text(desk.design()) == before);
+}
+
+TEST_CASE("a line that is moved near the middle leaves the middle where it is", "[garment_desk]") {
+    GarmentDesk desk = empty_desk();
+    skirt(desk);
+    desk.build_now();
+    const auto in_the_middle = [&] {
+        std::size_t count = 0;
+        for (const core::NetworkLine& line : desk.network().lines())
+            if (line.alive && line.layer == desk.layer())
+                count += static_cast<std::size_t>(
+                    std::count_if(line.shape.begin(), line.shape.end(), [](core::Vec3 p) { return p.x == 0.0; }));
+        return count;
+    };
+    const std::size_t before = in_the_middle();
+    REQUIRE(before > 20);
+    desk.settings().tool = DeskTool::Move;
+    const core::DrawingView top = *core::named_view("top");
+    desk.begin(top, {6.5, -15.7});
+    desk.extend(top, {7.5, -15.7});
+    desk.extend(top, {9, -15.7});
+    for (const core::NetworkVertex& vertex : desk.shown_network().vertices())
+        CHECK((!vertex.alive || vertex.place.x >= 0.0));
+    REQUIRE(desk.end().changed);
+    CHECK(in_the_middle() == before);
+    whole_skirt_sound(desk, 4);
+    // not mirrored, the middle is a place like others
+    REQUIRE(desk.undo().changed);
+    REQUIRE(desk.set_mirror(false).changed);
+    DeskHand hand(desk);
+    REQUIRE(hand.draw(DeskTool::Move, "top", {{6.5, -15.7}, {9, -15.7}}).changed);
+    CHECK(in_the_middle() < before);
 }
 
 TEST_CASE("strokes go on in another view, and in the temporary plane through the last point", "[garment_desk]") {
@@ -690,6 +723,23 @@ TEST_CASE("live cloth is what a new build fills", "[garment_desk]") {
         const core::Vec3 fit = after.fitted.mesh.vertices[v] - after.drawn.mesh.vertices[v];
         CHECK(core::length(dragged[v] - fit - moved.drawn.mesh.vertices[v]) < 1e-6);
     }
+}
+
+TEST_CASE("every view in perspective is read back as it was settled", "[garment_desk]") {
+    int others = 0;
+    for (int k = 0; k < 4000; ++k) {
+        const double azimuth = 0.0015 * k, elevation = 0.0003 * (k % 3000) - 0.4, height = 160 + k % 31;
+        const core::Vec3 target{0, height / 2, 0};
+        const double level = 560 * std::cos(elevation);
+        const core::Vec3 eye =
+            target + core::Vec3{level * std::sin(azimuth), 560 * std::sin(elevation), level * std::cos(azimuth)};
+        const core::DrawingView view = core::settled(*core::perspective_view(eye, target)).view;
+        const core::DrawingView again =
+            *core::perspective_view(view.centre + view.toward * view.eye_distance, view.centre);
+        others += core::same_view(view, again) ? 0 : 1;
+        CHECK(core::length(view.centre + view.toward * view.eye_distance - eye) < 1e-4);
+    }
+    CHECK(others == 0);
 }
 
 TEST_CASE("strokes seen in perspective are read back as they were drawn", "[garment_desk]") {

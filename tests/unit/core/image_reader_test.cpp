@@ -56,6 +56,7 @@ TEST_CASE("what is transparent shows white paper", "[image_reader]") {
 
 TEST_CASE("BMP pictures are read", "[image_reader]") {
     CHECK(grays(kBmp) == std::vector<int>{76, 255});
+    CHECK(grays(kBmp.substr(0, kBmp.size() - 2)) == std::vector<int>{76, 255});  // without the last row's filling
 }
 
 TEST_CASE("JPEG pictures are read", "[image_reader]") {
@@ -86,6 +87,10 @@ TEST_CASE("what is no picture, or a broken one, is refused with a sentence", "[i
     CHECK_FALSE(decode(support::make_png(0, 1, 8, 0, "")));
     CHECK_FALSE(decode(support::make_png(2'000'000'000, 2, 8, 0, "")));
     CHECK_FALSE(decode("BM"));
+    for (std::size_t size = 2; size + 2 < kBmp.size(); ++size) {
+        INFO(size);
+        CHECK_FALSE(decode(kBmp.substr(0, size)));
+    }
     CHECK_FALSE(decode("\xFF\xD8\xFF"));
 }
 

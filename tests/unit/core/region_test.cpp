@@ -1,6 +1,8 @@
 #include "core/garment/region.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 
 #include "support/outlines.hpp"
@@ -50,6 +52,45 @@ TEST_CASE("no quad folds on a circle, whatever alpha", "[region]") {
             CHECK(support::folded_quad(filled->mesh) == -1);
             CHECK(filled->alpha >= alpha);
         }
+}
+
+TEST_CASE("a grid whose sides arch high is the discrete Coons patch all the same", "[region]") {
+    constexpr int kAcross = 7, kUp = 5;
+    const auto point = [](int i, int j) {
+        const double u = static_cast<double>(i) / kAcross, v = static_cast<double>(j) / kUp;
+        return Vec3{u * 10, v * 10, 6 * std::sin(3.1 * u) + 5 * std::sin(3.1 * v) + 3 * u * v};
+    };
+    RegionOutline outline{{{}, {}, {}, {}}};
+    for (int i = 0; i <= kAcross; ++i) {
+        outline.sides[0].push_back(point(i, 0));
+        outline.sides[2].push_back(point(kAcross - i, kUp));
+    }
+    for (int j = 0; j <= kUp; ++j) {
+        outline.sides[1].push_back(point(kAcross, j));
+        outline.sides[3].push_back(point(0, kUp - j));
+    }
+    const auto filled = core::fill_region(outline, core::kCoonsAlpha);
+    REQUIRE(filled);
+    CHECK(filled->alpha == core::kCoonsAlpha);
+    const auto coons = [&](int i, int j) {
+        const double u = static_cast<double>(i) / kAcross, v = static_cast<double>(j) / kUp;
+        const Vec3 across = point(0, j) * (1 - u) + point(kAcross, j) * u;
+        const Vec3 up = point(i, 0) * (1 - v) + point(i, kUp) * v;
+        const Vec3 corners = (point(0, 0) * (1 - v) + point(0, kUp) * v) * (1 - u) +
+                             (point(kAcross, 0) * (1 - v) + point(kAcross, kUp) * v) * u;
+        return across + up - corners;
+    };
+    double highest = 0.0;
+    for (int i = 1; i < kAcross; ++i)
+        for (int j = 1; j < kUp; ++j) {
+            const Vec3 wanted = coons(i, j);
+            double nearest = 1e9;
+            for (const Vec3& v : filled->mesh.vertices) nearest = std::min(nearest, core::length(v - wanted));
+            CAPTURE(i, j);
+            CHECK(nearest < 1e-10);
+            highest = std::max(highest, wanted.z);
+        }
+    CHECK(highest > 9);  // well above all sides
 }
 
 TEST_CASE("faulty outlines are refused in one sentence that names the place", "[region]") {

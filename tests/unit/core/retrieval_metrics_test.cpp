@@ -105,3 +105,37 @@ TEST_CASE("more ranks than others of the class: the share is of those that there
     CHECK(core::shape_test({0, 1, 2, 1, 0, 2, 2, 1, 0}, {"a", "a", "b"}, 2).total == Approx(1.0));
     CHECK(core::shape_test({0}, {"a"}, 1).total == 0.0);
 }
+
+TEST_CASE("what is found everywhere is 1, to the last bit", "[metrics]") {
+    constexpr std::size_t kShapes = 33, kClass = 11;
+    std::vector<std::string> classes;
+    std::vector<float> distances;
+    for (std::size_t i = 0; i < kShapes; ++i) {
+        classes.push_back(std::to_string(i / kClass));
+        for (std::size_t j = 0; j < kShapes; ++j)
+            distances.push_back(i == j ? 0.0F : static_cast<float>(j) + (i / kClass == j / kClass ? 1.0F : 100.0F));
+    }
+    const core::ShapeTest test = core::shape_test(distances, classes, 10);
+    CHECK(test.total == 1.0);
+    CHECK(test.bullseye == 1.0);
+    const RetrievalMetrics one = metrics_of_ranking({1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0}, 10);
+    const RetrievalMetrics mean = core::mean_metrics(std::vector<RetrievalMetrics>(49, one));
+    CHECK(one.ft == 1.0);
+    CHECK(mean.nn == 1.0);
+    CHECK(mean.ft == 1.0);
+    CHECK(mean.st == 1.0);
+}
+
+TEST_CASE("ties are told where they may decide what is among the nearest", "[metrics]") {
+    const std::vector<std::string> classes{"a", "a", "b", "b"};
+    const auto ties = [&](const std::vector<float>& first_row, int ranks) {
+        std::vector<float> distances = first_row;
+        for (const float d : {1, 0, 2, 3, 1, 2, 0, 3, 1, 2, 3, 0}) distances.push_back(d);
+        return core::shape_test(distances, classes, ranks).ties;
+    };
+    CHECK(ties({0, 1, 2, 3}, 3) == 0);
+    CHECK(ties({0, 1, 1, 3}, 1) == 1);  // either may be the first
+    CHECK(ties({0, 1, 3, 3}, 1) == 0);  // the last two may change places, and the first stays
+    CHECK(ties({0, 1, 3, 3}, 2) == 1);
+    CHECK(ties({0, 0, 1, 2}, 2) == 0);  // at the query's own distance is no tie of two others
+}

@@ -53,6 +53,18 @@ TEST_CASE("both halves of a coarse box take their part, to the back too, and ble
     CHECK(between < 0.9);
 }
 
+TEST_CASE("what is seen between the parts stays clay, to the back too, as on the card", "[lifted parts]") {
+    const auto geometry = ui::make_model_geometry(box({-0.7, -0.4, -0.3}, {0.7, 0.4, 0.3}));
+    const std::vector<ui::PartRegion> parts{{0, rectangle(-0.7, -0.4, -0.4, 0.4)}, {3, rectangle(0.4, -0.4, 0.7, 0.4)}};
+    const ui::LiftedModel model = ui::lift_parts(geometry, kFront, parts);
+    for (const bool back : {false, true}) {
+        const auto middle = [&](core::Vec3 p) { return std::abs(p.x) < 0.2 && (back ? p.z < -0.29 : p.z > 0.29); };
+        CHECK(mean_weight(model, 0, middle) + mean_weight(model, 3, middle) < 0.02);
+    }
+    CHECK(mean_weight(model, 0, [](core::Vec3 p) { return p.x < -0.55 && p.z > 0.2; }) > 0.95);
+    CHECK(mean_weight(model, 3, [](core::Vec3 p) { return p.x > 0.55 && p.z > 0.2; }) > 0.95);
+}
+
 TEST_CASE("what stands behind another part takes its own neighbours' colour, not the part before it",
           "[lifted parts]") {
     core::TriangleMesh mesh = box({-0.3, -0.3, 0.3}, {0.3, 0.3, 0.6});  // in front
