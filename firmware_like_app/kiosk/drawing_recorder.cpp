@@ -37,6 +37,8 @@ core::Result<void> DrawingRecorder::keep(const core::Drawing& drawing) {
     file << input::trace_text(input::trace_of_drawing(drawing));
     file.close();
     if (file) return {};
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
     return core::unexpected(core::ErrorCode::WriteFailed, "the drawing cannot be kept; check that the folder has room",
                             path.string());
 }

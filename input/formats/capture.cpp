@@ -13,8 +13,15 @@ bool is_hex_line(std::string_view line) {
     return append_hex_bytes(line, bytes, kMaxCapturedReportBytes) && bytes.size() >= 2;
 }
 
+/// PBM, PGM and PPM begin with P and a digit; their sizes would pass for a report in hex.
+bool is_portable_picture(std::string_view text) {
+    return text.size() > 2 && text[0] == 'P' && text[1] >= '1' && text[1] <= '7' &&
+           (text[2] == '\n' || text[2] == '\r' || text[2] == ' ');
+}
+
 /// The first line that says what the file is.
 std::optional<CaptureFormat> format_of(std::string_view text) {
+    if (is_portable_picture(text)) return std::nullopt;
     TextLines lines(text);
     for (std::string_view line; lines.next(line) && lines.number() < 400;) {
         if (line.starts_with("R: ") || line.starts_with("D: ") || line.starts_with("# Report descriptor")) {

@@ -13,7 +13,9 @@ namespace ui {
 core::Result<Strings> Strings::parse(std::string_view json, std::string file) {
     const nlohmann::json object = nlohmann::json::parse(json, nullptr, false);
     if (!object.is_object()) {
-        return core::unexpected(core::ErrorCode::BadFormat, "a language file must be one JSON object; take ui/screens/strings/en.json as the pattern", std::move(file));
+        return core::unexpected(
+            core::ErrorCode::BadFormat,
+            "a language file must be one JSON object; take ui/screens/strings/en.json as the pattern", std::move(file));
     }
     Strings strings;
     for (const auto& [key, value] : object.items()) {

@@ -1,9 +1,11 @@
 #include "firmware_like_app/kiosk/kiosk.hpp"
 
+#include <sys/resource.h>
 #include <unistd.h>
 #include <array>
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -156,6 +158,21 @@ TEST_CASE("kept drawings never overwrite each other", "[kiosk]") {
     }
     CHECK(bytes_of(folder.path / "drawing-0001.trace") == bytes_of(folder.path / "drawing-0002.trace"));
     CHECK_FALSE(std::filesystem::exists(folder.path / "drawing-0003.trace"));
+}
+
+TEST_CASE("a drawing for which there is no room leaves no part of itself", "[kiosk]") {
+    const Folder folder;
+    rlimit before{};
+    REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{200, before.rlim_max};  // stands for a full disk
+    REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
+    const auto kept = app::DrawingRecorder(folder.path).keep(test::make_horse_drawing());
+    REQUIRE(setrlimit(RLIMIT_FSIZE, &before) == 0);
+    std::signal(SIGXFSZ, handler);
+    REQUIRE_FALSE(kept);
+    CHECK(kept.error().code == core::ErrorCode::WriteFailed);
+    CHECK(std::filesystem::is_empty(folder.path));
 }
 
 TEST_CASE("a free name is found among many, and behind those that are there", "[kiosk]") {

@@ -57,6 +57,16 @@ for path in "$folder/pipe" /dev/zero; do
     expect 1 'not an ordinary file' index build "$path" --db "$folder/y.db"
 done
 
+mkdir "$folder/words" "$folder/no_words"
+mkfifo "$folder/words/xx.json" || exit 1
+expect 1 'xx.json: this is a device or a pipe' \
+    kiosk --headless --replay "$folder/square.ndjson" --set visitors.languages_folder="$folder/words"
+: >"$folder/no_words/xx.json"
+expect 1 'xx.json: a language file must be one JSON object' \
+    kiosk --headless --replay "$folder/square.ndjson" --set visitors.languages_folder="$folder/no_words"
+printf 'P2\n10 10\n255\n' >"$folder/picture.pgm"
+expect 1 'picture.pgm: this is no drawing that can be read; give PNG' describe "$folder/picture.pgm"
+
 # Figures for as many ranks as there are others, whatever is asked for.
 expect 0 '' eval shapes "$folder/two.list" --ranks 2000000000 --json
 grep -q '"hits_by_rank":\[2\]' "$folder/out" || fault "not one rank: $(cut -c1-300 "$folder/out")"

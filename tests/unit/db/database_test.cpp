@@ -1,5 +1,6 @@
 #include "db/sqlite/database.hpp"
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -204,6 +205,32 @@ TEST_CASE("a log left over in a read-only folder is not passed over in silence",
         const core::Result<Database> database = Database::open(folder / "a.db", OpenMode::ReadOnly, kOurs);
         return !database && database.error().message.find("did not end in order") != std::string::npos;
     }));
+}
+
+TEST_CASE("what a killed writer left half done is undone, also for reading", "[database]") {
+    const TemporaryFolder workshop, folder;
+    make_database(workshop / "a.db", "INSERT INTO t (n) VALUES (42)");
+    const Database writer = fixture::value(Database::open(workshop / "a.db", OpenMode::ReadWrite, kOurs));
+    // More than the cache holds, so that it is on the disk before the transaction has ended.
+    fixture::ok(
+        writer.execute("PRAGMA cache_size = 4; BEGIN; UPDATE t SET n = 7;"
+                       "WITH RECURSIVE k(i) AS (VALUES(1) UNION ALL SELECT i + 1 FROM k WHERE i < 100)"
+                       "INSERT INTO t (n, b) SELECT 7, zeroblob(4000) FROM k;"));
+    for (const char* name : {"a.db", "a.db-journal"}) {
+        fixture::write_bytes(folder / name, fixture::read_bytes(workshop / name));
+    }
+    const Database reader = fixture::value(Database::open(folder / "a.db", OpenMode::ReadOnly, kOurs));
+    CHECK(fixture::value(reader.integer("SELECT count(*) FROM t")) == 1);
+    CHECK(fixture::value(reader.integer("SELECT n FROM t")) == 42);
+    CHECK_FALSE(std::filesystem::exists(folder / "a.db-journal"));
+}
+
+TEST_CASE("a pipe is no database and is not waited for", "[database]") {
+    const TemporaryFolder folder;
+    REQUIRE(mkfifo((folder / "a.db").c_str(), 0600) == 0);
+    for (const OpenMode mode : {OpenMode::ReadOnly, OpenMode::ReadWrite, OpenMode::Create}) {
+        CHECK(refusal(folder / "a.db", mode) == ErrorCode::FileUnreadable);
+    }
 }
 
 TEST_CASE("a file nobody may read is named", "[database]") {

@@ -156,6 +156,8 @@ TEST_CASE("older text formats", "[capture]") {
 TEST_CASE("what is no recording says what could be given", "[capture]") {
     CHECK(fault_of("").starts_with("this is no recording of a tablet"));
     CHECK(fault_of("hello\nworld\n").starts_with("this is no recording of a tablet"));
+    for (const char* picture : {"P5\n10 10\n255\n", "P2\r\n2 2\r\n15\r\n00 11\r\n15 00\r\n", "P4 10 10\n"})
+        CHECK(fault_of(picture).starts_with("this is no recording of a tablet"));
     const auto missing = input::read_capture("/nowhere/at/all");
     REQUIRE_FALSE(missing);
     CHECK(missing.error().code == core::ErrorCode::FileMissing);
