@@ -1,6 +1,5 @@
 #include "core/exchange/file_bytes.hpp"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -30,7 +29,7 @@ Result<void> check_ordinary_file(const std::string& path) {
     if (!std::filesystem::is_regular_file(status)) {
         return unreadable(path, "this is a device or a pipe; name an ordinary file");
     }
-    if (faccessat(AT_FDCWD, path.c_str(), R_OK, AT_EACCESS) != 0) {
+    if (access(path.c_str(), R_OK) != 0) {
         return unreadable(path, "the file cannot be opened; check its permissions");
     }
     return {};

@@ -695,6 +695,12 @@ TEST_CASE("live cloth is what a new build fills", "[garment_desk]") {
     skirt(desk);
     desk.build_now();
     const core::FinishedLayer before = *desk.cloth()[0].cloth;
+    // where the new filling and the old fitting lead to, unless that is in the body: then outside of it
+    const core::Obstacle& body = desk.state().worn()->obstacle;
+    const auto check_live = [&](core::Vec3 shown, core::Vec3 led) {
+        if (body.distance(led) > 0.25) CHECK(core::length(shown - led) < 1e-6);
+        CHECK(body.distance(shown) > 0.1);
+    };
     desk.slide_alpha("front", -0.1);
     REQUIRE(desk.live());
     const std::vector<core::Vec3> slid = *desk.live()->places;
@@ -705,9 +711,9 @@ TEST_CASE("live cloth is what a new build fills", "[garment_desk]") {
     REQUIRE(after.drawn.mesh.vertices.size() == slid.size());
     for (std::size_t v = 0; v < slid.size(); ++v) {
         const core::Vec3 fit = before.fitted.mesh.vertices[v] - before.drawn.mesh.vertices[v];
-        CHECK(core::length(slid[v] - fit - after.drawn.mesh.vertices[v]) < 1e-6);
+        check_live(slid[v], after.drawn.mesh.vertices[v] + fit);
     }
-    // a drag: this one leads nowhere into the body
+    // a drag
     desk.settings().tool = DeskTool::Move;
     const core::DrawingView front = *core::named_view("front");
     desk.begin(front, {17, 15});
@@ -721,7 +727,7 @@ TEST_CASE("live cloth is what a new build fills", "[garment_desk]") {
     REQUIRE(moved.drawn.mesh.vertices.size() == dragged.size());  // no line got another number of edges
     for (std::size_t v = 0; v < dragged.size(); ++v) {
         const core::Vec3 fit = after.fitted.mesh.vertices[v] - after.drawn.mesh.vertices[v];
-        CHECK(core::length(dragged[v] - fit - moved.drawn.mesh.vertices[v]) < 1e-6);
+        check_live(dragged[v], moved.drawn.mesh.vertices[v] + fit);
     }
 }
 
