@@ -130,7 +130,7 @@ void DetailView::show(std::size_t index, std::int64_t now_us, ui::Painter& paint
     azimuth_ = 0;
     elevation_ = 0;
     zoom_ = 1;
-    touched_ = turning_ = false;
+    touched_ = turning_ = draft_ = at_rest_ = false;
     focus_.reset();
     touch_.cancel();
     lifted_ = {};

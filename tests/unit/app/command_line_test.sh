@@ -91,25 +91,8 @@ awk 'BEGIN {
 expect 0 "$croquis" garment fill "$folder/arch.json" --out "$folder/arch.obj" --json
 says err "arch.json: alpha [-0-9.e]* was used in place of -0.25"
 
-# An index of two tables of boxes.
-write_model() {
-    awk -v leg="$2" 'BEGIN {
-        n = 0; m = 0
-        split("-2 2 0 0.3 -1 1;-1.9 -1.5 -" leg " 0 -0.9 -0.5;1.5 1.9 -" leg " 0 0.5 0.9", boxes, ";")
-        for (b = 1; b <= 3; b++) {
-            split(boxes[b], s, " ")
-            for (i = 0; i < 8; i++) v[n++] = s[1 + int(i / 4)] " " s[3 + int(i / 2) % 2] " " s[5 + i % 2]
-            split("0 1 3 2;4 6 7 5;0 4 5 1;2 3 7 6;0 2 6 4;1 5 7 3", faces, ";")
-            for (k = 1; k <= 6; k++) {
-                split(faces[k], c, " ")
-                f[m++] = "4 " c[1] + n - 8 " " c[2] + n - 8 " " c[3] + n - 8 " " c[4] + n - 8
-            }
-        }
-        print "OFF"; print n, m, 0
-        for (i = 0; i < n; i++) print v[i]
-        for (i = 0; i < m; i++) print f[i]
-    }' >"$folder/models/$1"
-}
+# An index of two models of boxes.
+. "$(dirname "$0")/../../support/table_models.sh"
 write_model low.off 1
 write_model high.off 3
 printf 'models/low.off\ttable\nmodels/high.off\tdesk\n' >"$folder/classes.list"

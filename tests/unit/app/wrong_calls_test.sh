@@ -29,14 +29,8 @@ printf 'square.ndjson\tx\nsquare.ndjson\tx\n' >"$folder/two.list"
 printf 'gone.off\tx\n' >"$folder/gone.list"
 mkfifo "$folder/pipe" || exit 1
 
-# Wrong calls.
-expect 2 '"bogus"' bogus
-expect 2 '"bogus"' index bogus
-expect 2 '"--bogus"' --bogus
-expect 2 'subcommand is required' index
-expect 2 '--top: give a number above 0, not "0"' query "$folder/square.ndjson" --db "$folder/x.db" --top 0
+# Numbers out of range write nothing; command_line_test.sh has the other wrong calls.
 expect 2 '--jobs: give a number from 1 to 256, not "1000000"' index build "$folder/a.off" --db "$folder/x.db" --jobs 1000000
-expect 2 'give a number, not "nan"' garment fill "$folder/square.ndjson" --out "$folder/x.obj" --alpha nan
 expect 2 'give a number, not "inf"' trace record "$folder/x.trace" --seconds inf
 [ ! -e "$folder/x.db" ] || fault "a wrong call made an index"
 
